@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/geometry/pose2.h"
+
+#include <cmath>
+
+namespace loopscope {
+
+double NormalizeAngle(double radians) {
+  const double folded = std::remainder(radians, 2.0 * M_PI);  // in [-pi, pi]
+  return folded == -M_PI ? M_PI : folded;
+}
+
+Eigen::Matrix2d Pose2::RotationMatrix() const {
+  const double c = std::cos(rotation);
+  const double s = std::sin(rotation);
+  return (Eigen::Matrix2d() << c, -s, s, c).finished();
+}
+
+Pose2 Pose2::Inverse() const {
+  return Pose2(-(RotationMatrix().transpose() * translation), NormalizeAngle(-rotation));
+}
+
+Pose2 operator*(const Pose2& c_from_b, const Pose2& b_from_a) {
+  return Pose2(c_from_b * b_from_a.translation,
+               NormalizeAngle(c_from_b.rotation + b_from_a.rotation));
+}
+
+Eigen::Vector2d operator*(const Pose2& target_from_source, const Eigen::Vector2d& point_in_source) {
+  return target_from_source.RotationMatrix() * point_in_source + target_from_source.translation;
+}
+
+bool operator==(const Pose2& a, const Pose2& b) {
+  return a.translation == b.translation && a.rotation == b.rotation;
+}
+
+Pose2 Interpolate(const Pose2& a, const Pose2& b, double t) {
+  return Pose2(a.translation + t * (b.translation - a.translation),
+               NormalizeAngle(a.rotation + t * NormalizeAngle(b.rotation - a.rotation)));
+}
+
+}  // namespace loopscope

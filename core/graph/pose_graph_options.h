@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/matching/branch_and_bound.h"
+#include "core/matching/ceres_scan_matcher.h"
+
+namespace loopscope {
+
+/// POSE_GRAPH.constraint_builder.
+struct ConstraintBuilderOptions {
+  double sampling_ratio = 0.3;            ///< share of the near pairs that are searched
+  double max_constraint_distance = 15.0;  ///< [m] between node and submap origin
+  double min_score = 0.55;
+  double global_localization_min_score = 0.6;  ///< for searches of the whole submap
+  double loop_closure_translation_weight = 1.1e4;
+  double loop_closure_rotation_weight = 1e5;
+  BranchAndBoundOptions fast_correlative_scan_matcher;
+  CeresScanMatcherOptions ceres_scan_matcher{20.0, 10.0, 1.0, true, 10};
+};
+
+/// POSE_GRAPH.optimization_problem. Weights are factors of a residual in metres or radians, so their
+/// squares are information.
+struct OptimizationProblemOptions {
+  double huber_scale = 1e1;  ///< rho of eq. 4, on INTER_SUBMAP constraints
+  double local_slam_pose_translation_weight = 1e5;
+  double local_slam_pose_rotation_weight = 1e5;
+  double odometry_translation_weight = 1e5;
+  double odometry_rotation_weight = 1e5;
+  bool use_nonmonotonic_steps = false;
+  int max_num_iterations = 50;
+};
+
+/// POSE_GRAPH.
+struct PoseGraphOptions {
+  int optimize_every_n_nodes = 90;  ///< 0: never, no loops
+  ConstraintBuilderOptions constraint_builder;
+  double matcher_translation_weight = 5e2;  ///< of INTRA_SUBMAP constraints
+  double matcher_rotation_weight = 1.6e3;
+  OptimizationProblemOptions optimization_problem;
+  int max_num_final_iterations = 200;
+};
+
+}  // namespace loopscope

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/grid/probability_grid.h"
+
+namespace loopscope {
+
+/// TRAJECTORY_BUILDER_2D.submaps.range_data_inserter.probability_grid_range_data_inserter.
+struct ScanInserterOptions {
+  double hit_probability = 0.55;   ///< above 0.5
+  double miss_probability = 0.49;  ///< below 0.5
+  bool insert_free_space = true;   ///< whether misses are written
+};
+
+/// Writes scans into grids (eqs. 2, 3).
+class ScanInserter {
+ public:
+  explicit ScanInserter(const ScanInserterOptions& options);
+
+  /// `cells` are on the lattice of `grid`, which grows as needed.
+  void Insert(const ScanCells& cells, ProbabilityGrid* grid) const;
+
+ private:
+  ScanInserterOptions options_;
+  OddsUpdate hit_;
+  OddsUpdate miss_;
+};
+
+}  // namespace loopscope

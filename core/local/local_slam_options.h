@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/local/active_submaps.h"
+#include "core/local/motion_filter.h"
+#include "core/matching/ceres_scan_matcher.h"
+#include "core/matching/correlative_scan_matcher.h"
+#include "core/sensor/range_data.h"
+#include "core/sensor/voxel_filter.h"
+
+namespace loopscope {
+
+/// TRAJECTORY_BUILDER_2D. Defaults here and in the parts are Cartographer's.
+struct LocalSlamOptions {
+  RangeOptions range;
+  double voxel_filter_size = 0.025;  ///< [m]
+  AdaptiveVoxelFilterOptions adaptive_voxel_filter{0.5, 200, 50.0};
+  AdaptiveVoxelFilterOptions loop_closure_adaptive_voxel_filter{0.9, 100, 50.0};
+  bool use_online_correlative_scan_matching = false;
+  CorrelativeScanMatcherOptions real_time_correlative_scan_matcher;
+  CeresScanMatcherOptions ceres_scan_matcher;
+  MotionFilterOptions motion_filter;
+  SubmapsOptions submaps;
+  bool use_odometry = true;  ///< whether odometry, where there is any, predicts the motion
+};
+
+}  // namespace loopscope

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/graph/constraint.h"
+#include "core/grid/probability_grid.h"
+#include "core/matching/branch_and_bound.h"
+#include "core/slam/recording.h"
+#include "core/slam/state.h"
+
+namespace loopscope {
+
+// What a recording does not hold because it follows from it. Every function here calls the very
+// functions that the mapper called, so its answer is what the mapper saw, bit for bit.
+
+/// The readings of the scan of `step` that were used, in the frame of the robot.
+RangeData RangeDataOfStep(const Recording& recording, int step);
+
+/// Pose of a node in a submap as local SLAM had it.
+Pose2 SubmapFromNode(const Recording& recording, SubmapId submap, NodeId node);
+
+/// The cells that a node hit and missed, on the lattice of `submap`.
+ScanCells CellsOfNode(const Recording& recording, SubmapId submap, NodeId node);
+
+/// The grid of a submap after its first `num_nodes` nodes; all by default.
+ProbabilityGrid GridOfSubmap(const Recording& recording, SubmapId submap, int num_nodes = -1);
+
+/// Number of nodes of a submap that had been inserted after `step`.
+int NumNodesOfSubmapAfterStep(const Recording& recording, SubmapId submap, int step);
+
+/// INTRA_SUBMAP and INTER_SUBMAP constraints in force in `state`, in this order.
+std::vector<Constraint> ConstraintsOf(const Recording& recording, const MapState& state);
+
+/// How one scan was matched (local SLAM), in the frame of the submap it was matched against.
+struct MatchReplay {
+  SubmapId submap;
+  ProbabilityGrid grid;  ///< of the submap before the scan was inserted
+  PointCloud points;     ///< in the frame of the robot, as given to the matchers
+  Pose2 submap_from_base_prior;
+  std::optional<Pose2> submap_from_base_correlative;
+  Pose2 submap_from_base;
+  double prior_score = 0.0;  ///< mean probability at the points
+  double score = 0.0;        ///< likewise, after the match
+};
+
+/// Nothing if the scan was not matched: it was the first, or had no returns.
+std::optional<MatchReplay> ReplayMatch(const Recording& recording, int step);
+
+/// A loop search made once more, exactly as the mapper did or would have.
+struct SearchReplay {
+  LoopCandidate candidate;  ///< as recorded; if the pair was never searched, from its poses when it came up
+  bool recorded = false;    ///< whether the mapper itself searched the pair
+  ProbabilityGrid grid;     ///< of the finished submap
+  PointCloud points;        ///< in the frame of the node
+  SearchOutcome outcome;
+  SearchTrace trace;
+};
+
+/// Replays the search of `node` in the finished `submap`. Nothing if the submap never was finished, or
+/// the node lies in it. `min_score` overrides that of the options.
+std::optional<SearchReplay> ReplaySearch(const Recording& recording, SubmapId submap, NodeId node,
+                                         std::optional<double> min_score = std::nullopt);
+
+}  // namespace loopscope

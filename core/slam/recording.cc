@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/slam/recording.h"
+
+namespace loopscope {
+
+void Recording::Append(SlamUpdate update) {
+  const int step = num_steps();
+  steps_.push_back(update.step);
+  if (update.started_submap) submaps_.push_back(*update.started_submap);
+  if (update.node) {
+    nodes_.push_back(*update.node);
+    const int first = update.node->first_submap.index;
+    for (int i = first; i < first + update.node->num_submaps; ++i) ++submaps_[i].num_nodes;
+  }
+  if (update.finished_submap) submaps_[update.finished_submap->index].finished_step = step;
+  for (LoopCandidate& candidate : update.candidates) candidates_.push_back(std::move(candidate));
+  for (Optimization& optimization : update.optimizations) {
+    optimizations_.push_back(std::move(optimization));
+  }
+}
+
+}  // namespace loopscope
