@@ -16,11 +16,11 @@ struct ConstraintBuilderOptions {
   double loop_closure_translation_weight = 1.1e4;
   double loop_closure_rotation_weight = 1e5;
   BranchAndBoundOptions fast_correlative_scan_matcher;
-  CeresScanMatcherOptions ceres_scan_matcher{20.0, 10.0, 1.0, true, 10};
+  CeresScanMatcherOptions ceres_scan_matcher{20.0, 10.0, 1.0, 10};
 };
 
-/// POSE_GRAPH.optimization_problem. Weights are factors of a residual in metres or radians, so their
-/// squares are information.
+/// POSE_GRAPH.optimization_problem. Weights are factors of a residual in metres or radians, so
+/// their squares are information.
 struct OptimizationProblemOptions {
   double huber_scale = 1e1;  ///< rho of eq. 4, on INTER_SUBMAP constraints
   double local_slam_pose_translation_weight = 1e5;

@@ -37,8 +37,7 @@ struct CellBox {
   int height = 0;
 
   bool Contains(CellIndex cell) const {
-    return cell.x >= min.x && cell.x < min.x + width && cell.y >= min.y &&
-           cell.y < min.y + height;
+    return cell.x >= min.x && cell.x < min.x + width && cell.y >= min.y && cell.y < min.y + height;
   }
   bool empty() const { return width <= 0 || height <= 0; }
   int num_cells() const { return width * height; }
@@ -48,6 +47,9 @@ struct CellBox {
 
 /// The smallest box that holds both; an empty box holds nothing.
 CellBox Union(const CellBox& a, const CellBox& b);
+
+/// The smallest box that holds all of `cells`.
+CellBox BoxOf(const std::vector<CellIndex>& cells);
 
 /// The cells that a scan observed, each at most once: hits and misses are disjoint.
 struct ScanCells {

@@ -8,9 +8,9 @@
 namespace loopscope {
 
 /// The cells that `data` (in the frame of the grid) observes on a lattice of edge `resolution` [m].
-/// Hits are the cells of the returns; misses are all other cells whose pixel is crossed by a ray from
-/// the origin to a return or to the end of a miss, exactly, not only to the nearest cell. A cell
-/// appears at most once, hits before misses. The order of the cells is that of the rays.
+/// Hits are the cells of the returns; misses are all other cells whose pixel is crossed by a ray
+/// from the origin to a return or to the end of a miss, exactly, not only to the nearest cell. A
+/// cell appears at most once, hits before misses. The order of the cells is that of the rays.
 ScanCells CastRays(const RangeData& data, double resolution);
 
 }  // namespace loopscope

@@ -25,7 +25,7 @@ struct SearchResult {
 };
 
 struct SearchOutcome {
-  /// The winner; nothing if no pose of the window scores min_score or more.
+  /// The winner; nothing if no pose of the window scores more than min_score.
   std::optional<SearchResult> winner;
   /// The best single pose that was scored, the winner or one below min_score.
   SearchResult best_found;
@@ -41,8 +41,8 @@ class BranchAndBoundMatcher {
   BranchAndBoundMatcher(const ProbabilityGrid& grid, const BranchAndBoundOptions& options);
   ~BranchAndBoundMatcher();
 
-  /// Searches the window of the options around `submap_from_scan_guess`. `points_in_scan` must not be
-  /// empty. If `trace` is given, it is overwritten with every node that was scored.
+  /// Searches the window of the options around `submap_from_scan_guess`. `points_in_scan` must not
+  /// be empty. If `trace` is given, it is overwritten with every node that was scored.
   SearchOutcome Search(const PointCloud& points_in_scan, const Pose2& submap_from_scan_guess,
                        double min_score, SearchTrace* trace = nullptr) const;
 

@@ -13,7 +13,6 @@ struct CeresScanMatcherOptions {
   double occupied_space_weight = 1.0;
   double translation_weight = 10.0;  ///< on leaving the start, a metre
   double rotation_weight = 40.0;     ///< on leaving the start, a radian
-  bool use_nonmonotonic_steps = false;
   int max_num_iterations = 20;
 };
 
@@ -25,7 +24,8 @@ struct CeresMatch {
 };
 
 /// (CS) of the paper: the pose near `submap_from_scan_start` that minimizes
-///   w_o^2 / K sum_k (1 - M_smooth(T_xi h_k))^2 + w_t^2 |t - t_target|^2 + w_r^2 (theta - theta_start)^2
+///   w_o^2 / K sum_k (1 - M_smooth(T_xi h_k))^2 + w_t^2 |t - t_target|^2 + w_r^2 (theta -
+///   theta_start)^2
 /// with M_smooth bicubic in the grid. `target` is where the translation prior pulls to.
 CeresMatch MatchWithCeres(const PointCloud& points_in_scan, const ProbabilityGrid& grid,
                           const Eigen::Vector2d& target_translation,

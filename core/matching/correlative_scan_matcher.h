@@ -21,8 +21,8 @@ struct CorrelativeMatch {
   double score = 0.0;  ///< mean probability at the points, in [0.1, 0.9], times the delta penalty
 };
 
-/// The best pose on the lattice of the window (eqs. 7 to 10) around the guess; each pose is scored by
-/// mean_k M_nearest(T_xi h_k) * exp(-(w_t |dt| + w_r |dtheta|)^2), after Olson, "Real-Time
+/// The best pose on the lattice of the window (eqs. 7 to 10) around the guess; each pose is scored
+/// by mean_k M_nearest(T_xi h_k) * exp(-(w_t |dt| + w_r |dtheta|)^2), after Olson, "Real-Time
 /// Correlative Scan Matching", ICRA 2009.
 CorrelativeMatch MatchCorrelative(const PointCloud& points_in_scan, const ProbabilityGrid& grid,
                                   const Pose2& submap_from_scan_guess,

@@ -22,13 +22,14 @@ struct RangeData {
 
 /// TRAJECTORY_BUILDER_2D: which readings are used.
 struct RangeOptions {
-  double min_range = 0.0;                 ///< [m] nearer readings are dropped
-  double max_range = 30.0;                ///< [m] farther ones become misses
-  double missing_data_ray_length = 5.0;   ///< [m] length given to such a miss
+  double min_range = 0.0;                ///< [m] nearer readings are dropped
+  double max_range = 30.0;               ///< [m] farther ones become misses
+  double missing_data_ray_length = 5.0;  ///< [m] length given to such a miss
 };
 
-/// The readings of `scan` in the frame of the robot. Readings without return (+infinity) and invalid
-/// ones (NaN, not above zero) give nothing: a scanner also reads "nothing" off black and off glass.
+/// The readings of `scan` in the frame of the robot. Readings without return (+infinity) and
+/// invalid ones (NaN, not above zero) give nothing: a scanner also reads "nothing" off black and
+/// off glass.
 RangeData ToRangeData(const LaserScan& scan, const BeamGeometry& beams,
                       const Pose2& base_from_laser, const RangeOptions& options);
 

@@ -7,7 +7,7 @@
 
 #include "core/graph/constraint.h"
 #include "core/grid/probability_grid.h"
-#include "core/matching/branch_and_bound.h"
+#include "core/matching/search_trace.h"
 #include "core/slam/recording.h"
 #include "core/slam/state.h"
 
@@ -21,6 +21,9 @@ RangeData RangeDataOfStep(const Recording& recording, int step);
 
 /// Pose of a node in a submap as local SLAM had it.
 Pose2 SubmapFromNode(const Recording& recording, SubmapId submap, NodeId node);
+
+/// The points of a node that loop searches use, in its frame.
+PointCloud LoopPointsOfNode(const Recording& recording, NodeId node);
 
 /// The cells that a node hit and missed, on the lattice of `submap`.
 ScanCells CellsOfNode(const Recording& recording, SubmapId submap, NodeId node);
@@ -49,18 +52,23 @@ struct MatchReplay {
 /// Nothing if the scan was not matched: it was the first, or had no returns.
 std::optional<MatchReplay> ReplayMatch(const Recording& recording, int step);
 
+/// The pair when it came up: at the later of the node's insertion and the submap's end, which must
+/// have finished; guess and verdict (kTooFar or kNotSampled) from the poses after that step.
+LoopCandidate ConsiderPair(const Recording& recording, SubmapId submap, NodeId node);
+
 /// A loop search made once more, exactly as the mapper did or would have.
 struct SearchReplay {
-  LoopCandidate candidate;  ///< as recorded; if the pair was never searched, from its poses when it came up
-  bool recorded = false;    ///< whether the mapper itself searched the pair
-  ProbabilityGrid grid;     ///< of the finished submap
-  PointCloud points;        ///< in the frame of the node
-  SearchOutcome outcome;
+  LoopCandidate
+      candidate;  ///< as recorded; if the pair was never searched, from its poses when it came up
+  bool recorded = false;  ///< whether the mapper itself searched the pair
+  ProbabilityGrid grid;   ///< of the finished submap
+  PointCloud points;      ///< in the frame of the node
+  LoopCandidate result;   ///< of the replay; equals `candidate` if recorded and not overridden
   SearchTrace trace;
 };
 
-/// Replays the search of `node` in the finished `submap`. Nothing if the submap never was finished, or
-/// the node lies in it. `min_score` overrides that of the options.
+/// Replays the search of `node` in the finished `submap`. Nothing if the submap never was finished,
+/// or the node lies in it. `min_score` overrides that of the options.
 std::optional<SearchReplay> ReplaySearch(const Recording& recording, SubmapId submap, NodeId node,
                                          std::optional<double> min_score = std::nullopt);
 

@@ -15,9 +15,7 @@ void Recording::Append(SlamUpdate update) {
   }
   if (update.finished_submap) submaps_[update.finished_submap->index].finished_step = step;
   for (LoopCandidate& candidate : update.candidates) candidates_.push_back(std::move(candidate));
-  for (Optimization& optimization : update.optimizations) {
-    optimizations_.push_back(std::move(optimization));
-  }
+  if (update.optimization) optimizations_.push_back(std::move(*update.optimization));
 }
 
 }  // namespace loopscope

@@ -8,6 +8,7 @@
 
 #include "core/geometry/id.h"
 #include "core/geometry/pose2.h"
+#include "core/graph/loop_candidate.h"
 #include "core/sensor/scan_log.h"
 #include "core/slam/options.h"
 
@@ -22,7 +23,7 @@ enum class StepOutcome {
 
 /// What local SLAM made of one scan. Step k is about scan k of the log.
 struct Step {
-  Pose2 local_from_base_prior;  ///< extrapolated, before any matching
+  Pose2 local_from_base_prior;                       ///< extrapolated, before any matching
   std::optional<Pose2> local_from_base_correlative;  ///< after the correlative matcher, if it ran
   Pose2 local_from_base;                             ///< after (CS)
   StepOutcome outcome = StepOutcome::kNoReturns;
@@ -33,40 +34,16 @@ struct Step {
 struct Node {
   int step = 0;
   Pose2 local_from_base;
-  SubmapId first_submap;  ///< it went into the submaps first_submap ... first_submap + num_submaps - 1
-  int num_submaps = 0;    ///< 1 or 2
+  SubmapId
+      first_submap;  ///< it went into the submaps first_submap ... first_submap + num_submaps - 1
+  int num_submaps = 0;  ///< 1 or 2
 };
 
 struct Submap {
   Pose2 local_from_submap;
-  NodeId first_node;      ///< its nodes are first_node ... first_node + num_nodes - 1
-  int num_nodes = 0;      ///< so far
-  int finished_step = -1; ///< -1 while it still grows
-};
-
-/// Why a pair of node and submap became a constraint or did not.
-enum class Verdict {
-  kTooFar,         ///< farther apart than max_constraint_distance; not stored, see ConsiderPair
-  kNotSampled,     ///< skipped by sampling_ratio
-  kBelowMinScore,  ///< no pose of the window scored min_score
-  kAccepted,       ///< INTER_SUBMAP constraint
-};
-
-/// A pair of a node and a finished submap that came up for a loop search.
-struct LoopCandidate {
-  SubmapId submap;
-  NodeId node;
-  int considered_step = 0;       ///< the scan after which it came up
-  int applied_step = 0;          ///< the scan after which the result entered the graph
-  bool whole_submap = false;    ///< searched everywhere in the submap instead of in the window
-  Pose2 submap_from_node_guess; ///< from the poses at considered_step
-  Verdict verdict = Verdict::kNotSampled;
-  /// Of the winner, or the best that was found below min_score; in [0.1, 0.9]. 0 if not searched.
-  double score = 0.0;
-  /// No pose in the window scores more. 0 if not searched.
-  double score_bound = 0.0;
-  Pose2 submap_from_node_searched;  ///< where the search found `score`
-  Pose2 submap_from_node;           ///< refined by (CS): the constraint, if accepted
+  NodeId first_node;       ///< its nodes are first_node ... first_node + num_nodes - 1
+  int num_nodes = 0;       ///< so far
+  int finished_step = -1;  ///< -1 while it still grows
 };
 
 /// The poses that an optimization (SPA) gave.
@@ -80,14 +57,14 @@ struct Optimization {
   double final_cost = 0.0;
 };
 
-/// All that one scan caused, in the order: step, candidates whose search ended, optimizations.
+/// All that one scan caused, in the order of the fields.
 struct SlamUpdate {
   Step step;
-  std::optional<Submap> started_submap;     ///< begun before the node was inserted; still empty
-  std::optional<Node> node;                 ///< inserted
-  std::optional<SubmapId> finished_submap;  ///< which the node completed
+  std::optional<Submap> started_submap;      ///< begun before the node was inserted; still empty
+  std::optional<Node> node;                  ///< inserted
+  std::optional<SubmapId> finished_submap;   ///< which the node completed
   std::vector<LoopCandidate> candidates;     ///< applied now, in order of (submap, node)
-  std::vector<Optimization> optimizations;   ///< none, one, or (last scan) one and the final one
+  std::optional<Optimization> optimization;  ///< made with them
 };
 
 /// Inputs and decisions of a run: everything else follows from them (see derive.h).

@@ -22,8 +22,12 @@ struct MapState {
   std::vector<Pose2> global_from_node;
 };
 
-/// The state after scan `step`, in [0, recording.num_steps()). After the last step of a finished run it
-/// includes the final optimization.
+/// The state after scan `step`, in [0, recording.num_steps()). After the last step of a finished
+/// run it includes the final optimization.
 MapState StateAfterStep(const Recording& recording, int step);
+
+/// Where the robot was at scan `step` <= state.step, as `state` has it: the pose of the last node
+/// until then, carried on by local SLAM.
+Pose2 GlobalFromBase(const Recording& recording, const MapState& state, int step);
 
 }  // namespace loopscope

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/graph/constraint.h"
+#include "core/graph/pose_graph_options.h"
+
+namespace loopscope {
+
+/// How a node stands to the one before it, as local SLAM or odometry has it.
+struct ConsecutiveNodes {
+  NodeId first;
+  NodeId second;
+  Pose2 first_from_second;
+  double translation_weight = 0.0;  ///< [1/m]
+  double rotation_weight = 0.0;     ///< [1/rad]
+};
+
+/// The sum of eq. 4: submap poses, node poses and what is known about them. The poses are where the
+/// search starts; submap 0 stays where it is.
+struct GraphProblem {
+  std::vector<Pose2> global_from_submap;
+  std::vector<Pose2> global_from_node;
+  std::vector<Constraint> constraints;
+  std::vector<ConsecutiveNodes> consecutive_nodes;
+};
+
+struct GraphSolution {
+  std::vector<Pose2> global_from_submap;
+  std::vector<Pose2> global_from_node;
+  int num_iterations = 0;
+  double initial_cost = 0.0;
+  double final_cost = 0.0;
+};
+
+/// (SPA): minimizes eq. 4 with Ceres, Levenberg-Marquardt on sparse normal Cholesky, Huber loss on
+/// INTER_SUBMAP constraints, in at most `max_num_iterations`. One thread: sums keep their order.
+GraphSolution SolveGraph(const GraphProblem& problem, const OptimizationProblemOptions& options,
+                         int max_num_iterations);
+
+/// Covariance [m, m, rad] of the pose of a node in the global frame, at the poses of `problem`.
+/// Nothing if the problem does not determine the pose.
+std::optional<Eigen::Matrix3d> CovarianceOfNode(const GraphProblem& problem,
+                                                const OptimizationProblemOptions& options,
+                                                NodeId node);
+/// Likewise of a submap; zero for submap 0, which is held.
+std::optional<Eigen::Matrix3d> CovarianceOfSubmap(const GraphProblem& problem,
+                                                  const OptimizationProblemOptions& options,
+                                                  SubmapId submap);
+
+}  // namespace loopscope

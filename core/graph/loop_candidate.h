@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/geometry/id.h"
+#include "core/geometry/pose2.h"
+
+namespace loopscope {
+
+/// Why a pair of node and submap became a constraint or did not.
+enum class Verdict {
+  kTooFar,      ///< farther apart than max_constraint_distance; not stored, follows from the state
+  kNotSampled,  ///< skipped by sampling_ratio
+  kBelowMinScore,  ///< no pose of the window scored min_score
+  kAccepted,       ///< INTER_SUBMAP constraint
+};
+
+/// A pair of a node and a finished submap that came up for a loop search.
+struct LoopCandidate {
+  SubmapId submap;
+  NodeId node;
+  int considered_step = 0;       ///< the scan after which it came up
+  int applied_step = 0;          ///< the scan after which the result entered the graph
+  bool whole_submap = false;     ///< searched everywhere in the submap instead of in the window
+  Pose2 submap_from_node_guess;  ///< from the poses then; not set if not sampled
+  Verdict verdict = Verdict::kNotSampled;
+  /// Of the winner, or the best that was found below min_score; in [0.1, 0.9]. 0 if not searched.
+  double score = 0.0;
+  /// No pose in the window scores more. 0 if not searched.
+  double score_bound = 0.0;
+  Pose2 submap_from_node_searched;  ///< where the search found `score`
+  Pose2 submap_from_node;           ///< refined by (CS): the constraint, if accepted
+};
+
+}  // namespace loopscope

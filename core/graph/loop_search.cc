@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/graph/loop_search.h"
+
+#include <algorithm>
+#include <mutex>
+#include <utility>
+
+namespace loopscope {
+
+struct LoopSearch::SearchedSubmap {
+  explicit SearchedSubmap(ProbabilityGrid submap_grid) : grid(std::move(submap_grid)) {}
+
+  const BranchAndBoundMatcher& Matcher(const BranchAndBoundOptions& options) {
+    std::call_once(matcher_made,
+                   [&] { matcher = std::make_unique<BranchAndBoundMatcher>(grid, options); });
+    return *matcher;
+  }
+
+  ProbabilityGrid grid;
+  std::once_flag matcher_made;
+  std::unique_ptr<BranchAndBoundMatcher> matcher;  ///< made by the first search
+  int num_considered = 0;
+  int num_sampled = 0;
+};
+
+LoopCandidate SearchLoop(const LoopCandidate& candidate, const PointCloud& points_in_node,
+                         const ProbabilityGrid& grid, const BranchAndBoundMatcher& matcher,
+                         const ConstraintBuilderOptions& options, SearchTrace* trace) {
+  LoopCandidate result = candidate;
+  const SearchOutcome outcome =
+      candidate.whole_submap
+          ? matcher.SearchWholeSubmap(points_in_node, options.global_localization_min_score, trace)
+          : matcher.Search(points_in_node, candidate.submap_from_node_guess, options.min_score,
+                           trace);
+  result.score = outcome.best_found.score;
+  result.score_bound = outcome.score_bound;
+  result.submap_from_node_searched = outcome.best_found.submap_from_scan;
+  result.submap_from_node = result.submap_from_node_searched;
+  result.verdict = Verdict::kBelowMinScore;
+  if (!outcome.winner) return result;
+  result.verdict = Verdict::kAccepted;
+  result.submap_from_node =
+      MatchWithCeres(points_in_node, grid, result.submap_from_node_searched.translation,
+                     result.submap_from_node_searched, options.ceres_scan_matcher)
+          .submap_from_scan;
+  return result;
+}
+
+Constraint ToConstraint(const LoopCandidate& accepted, const ConstraintBuilderOptions& options) {
+  return {accepted.submap,
+          accepted.node,
+          accepted.submap_from_node,
+          options.loop_closure_translation_weight,
+          options.loop_closure_rotation_weight,
+          Constraint::Tag::kInterSubmap};
+}
+
+LoopSearch::LoopSearch(const ConstraintBuilderOptions& options, int num_threads)
+    : options_(options), pool_(num_threads) {}
+
+LoopSearch::~LoopSearch() = default;
+
+void LoopSearch::AddSubmap(SubmapId id, ProbabilityGrid grid) {
+  submaps_.emplace(id, std::make_unique<SearchedSubmap>(std::move(grid)));
+}
+
+void LoopSearch::Consider(const LoopCandidate& candidate,
+                          std::shared_ptr<const PointCloud> points_in_node) {
+  SearchedSubmap* const submap = submaps_.at(candidate.submap).get();
+  pending_.push_back(std::make_unique<LoopCandidate>(candidate));
+  LoopCandidate* const result = pending_.back().get();
+  if (!Sample(submap)) {
+    result->verdict = Verdict::kNotSampled;
+    result->submap_from_node_guess = Pose2();
+    return;
+  }
+  pool_.Add([this, submap, result, points = std::move(points_in_node)] {
+    *result = SearchLoop(*result, *points, submap->grid,
+                         submap->Matcher(options_.fast_correlative_scan_matcher), options_);
+  });
+}
+
+std::vector<LoopCandidate> LoopSearch::Collect() {
+  pool_.Wait();
+  std::vector<LoopCandidate> candidates;
+  candidates.reserve(pending_.size());
+  for (const auto& candidate : std::exchange(pending_, {})) candidates.push_back(*candidate);
+  std::stable_sort(
+      candidates.begin(), candidates.end(), [](const LoopCandidate& a, const LoopCandidate& b) {
+        return std::pair(a.submap.index, a.node.index) < std::pair(b.submap.index, b.node.index);
+      });
+  return candidates;
+}
+
+bool LoopSearch::Sample(SearchedSubmap* submap) const {
+  ++submap->num_considered;
+  if (submap->num_sampled >= options_.sampling_ratio * submap->num_considered) return false;
+  ++submap->num_sampled;
+  return true;
+}
+
+}  // namespace loopscope

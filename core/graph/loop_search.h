@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "core/graph/constraint.h"
+#include "core/graph/loop_candidate.h"
+#include "core/graph/pose_graph_options.h"
+#include "core/graph/task_pool.h"
+#include "core/grid/probability_grid.h"
+
+namespace loopscope {
+
+/// Searches one pair: branch and bound in the window around candidate.submap_from_node_guess (or
+/// the whole submap), and (CS) from the winner. Returns `candidate` with verdict, scores and poses
+/// set.
+LoopCandidate SearchLoop(const LoopCandidate& candidate, const PointCloud& points_in_node,
+                         const ProbabilityGrid& grid, const BranchAndBoundMatcher& matcher,
+                         const ConstraintBuilderOptions& options, SearchTrace* trace = nullptr);
+
+/// The INTER_SUBMAP constraint that an accepted candidate is.
+Constraint ToConstraint(const LoopCandidate& accepted, const ConstraintBuilderOptions& options);
+
+/// Searches loops on background threads. What it finds depends on what it is asked, in what order,
+/// and on nothing else.
+class LoopSearch {
+ public:
+  LoopSearch(const ConstraintBuilderOptions& options, int num_threads);
+  ~LoopSearch();
+
+  /// Makes a finished submap known.
+  void AddSubmap(SubmapId id, ProbabilityGrid grid);
+
+  /// Searches the pair of `candidate`, or leaves it if it is not its turn by sampling_ratio.
+  void Consider(const LoopCandidate& candidate, std::shared_ptr<const PointCloud> points_in_node);
+
+  /// Waits for the searches; the candidates considered since the last call, by submap and node.
+  std::vector<LoopCandidate> Collect();
+
+ private:
+  struct SearchedSubmap;
+
+  /// Whether it is the turn of a pair with `submap`: a share sampling_ratio of the calls says so.
+  bool Sample(SearchedSubmap* submap) const;
+
+  ConstraintBuilderOptions options_;
+  std::map<SubmapId, std::unique_ptr<SearchedSubmap>> submaps_;
+  std::vector<std::unique_ptr<LoopCandidate>> pending_;
+  TaskPool pool_;
+};
+
+}  // namespace loopscope

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/graph/graph_solver.h"
+#include "core/graph/loop_search.h"
+
+namespace loopscope {
+
+/// Pose of the local frame in the global frame as the last of the optimized submaps has it; the
+/// identity if there is none.
+Pose2 GlobalFromLocal(const std::vector<Pose2>& optimized_global_from_submap,
+                      const std::vector<Pose2>& local_from_submap);
+
+/// Nodes, submaps and what is known between them: finds loops in the background, and optimizes.
+class PoseGraph {
+ public:
+  PoseGraph(const PoseGraphOptions& options, int num_threads);
+
+  struct NodeData {
+    Pose2 local_from_node;
+    std::optional<Pose2> odom_from_node;
+    SubmapId first_submap;  ///< it was inserted into num_submaps submaps from this one on
+    int num_submaps = 0;
+    std::shared_ptr<const PointCloud> points;  ///< for loop searches, in the frame of the node
+  };
+
+  void AddSubmap(const Pose2& local_from_submap);
+
+  /// Adds a node with its INTRA_SUBMAP constraints, and considers it for loops with all finished
+  /// submaps.
+  void AddNode(const NodeData& node, int step);
+
+  /// Considers the submap for loops with all nodes that do not lie in it.
+  void FinishSubmap(SubmapId id, ProbabilityGrid grid, int step);
+
+  /// Whether optimize_every_n_nodes nodes came since the last optimization.
+  bool OptimizationIsDue() const;
+
+  /// Waits for the loop searches and takes the loops found into the graph. All candidates that came
+  /// up since the last call, by submap and node.
+  std::vector<LoopCandidate> CollectLoops(int step);
+
+  /// Optimizes all poses, which become the estimate.
+  GraphSolution Optimize(int max_num_iterations);
+
+ private:
+  /// Local SLAM and odometry between the node and the one before it.
+  void AddConsecutive(NodeId id);
+  /// Sets off a loop search for the pair if it is near enough.
+  void Consider(SubmapId submap, NodeId node, int step);
+
+  PoseGraphOptions options_;
+  std::vector<NodeData> nodes_;
+  std::vector<Pose2> local_from_submap_;
+  std::vector<SubmapId> finished_submaps_;
+  std::vector<Pose2> global_from_submap_;
+  std::vector<Pose2> global_from_node_;
+  Pose2 global_from_local_;
+  std::vector<Constraint> constraints_;
+  std::vector<ConsecutiveNodes> consecutive_nodes_;
+  int num_nodes_since_optimization_ = 0;
+  LoopSearch loop_search_;
+};
+
+}  // namespace loopscope

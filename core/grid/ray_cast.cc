@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/grid/ray_cast.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace loopscope {
+namespace {
+
+/// Which cells of a box were seen already.
+class Marks {
+ public:
+  explicit Marks(const CellBox& box) : box_(box), marked_(box.num_cells(), 0) {}
+
+  /// Whether `cell` was not marked before.
+  bool Mark(CellIndex cell) {
+    std::uint8_t& mark = marked_[box_.FlatIndex(cell)];
+    return std::exchange(mark, 1) == 0;
+  }
+
+ private:
+  CellBox box_;
+  std::vector<std::uint8_t> marked_;
+};
+
+/// In units of cells, with pixels from whole number to whole number.
+Eigen::Vector2d ToPixelFrame(const Eigen::Vector2d& point, double resolution) {
+  return point / resolution + Eigen::Vector2d(0.5, 0.5);
+}
+
+/// Calls `visit` for every cell that the segment from `a` to `b` (pixel frame) crosses, row by row:
+/// within a row these are all the cells between the places where the segment enters and leaves it.
+template <typename Visitor>
+void ForEachCrossedCell(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Visitor& visit) {
+  const Eigen::Vector2d& low = a.y() <= b.y() ? a : b;
+  const Eigen::Vector2d& high = a.y() <= b.y() ? b : a;
+  const int first_row = static_cast<int>(std::floor(low.y()));
+  const int last_row = static_cast<int>(std::floor(high.y()));
+  const double slope = last_row > first_row ? (high.x() - low.x()) / (high.y() - low.y()) : 0.0;
+  double enter_x = low.x();
+  for (int row = first_row; row <= last_row; ++row) {
+    const double leave_x = row == last_row ? high.x() : low.x() + slope * (row + 1 - low.y());
+    const int left = static_cast<int>(std::floor(std::min(enter_x, leave_x)));
+    const int right = static_cast<int>(std::floor(std::max(enter_x, leave_x)));
+    for (int x = left; x <= right; ++x) visit(CellIndex{x, row});
+    enter_x = leave_x;
+  }
+}
+
+/// Holds every cell that a ray may cross, and one more all around against rounding.
+CellBox BoxOfRays(const RangeData& data, double resolution) {
+  std::vector<CellIndex> ends{CellOf(data.origin, resolution)};
+  for (const Eigen::Vector2d& point : data.returns) ends.push_back(CellOf(point, resolution));
+  for (const Eigen::Vector2d& point : data.misses) ends.push_back(CellOf(point, resolution));
+  const CellBox box = BoxOf(ends);
+  return {{box.min.x - 1, box.min.y - 1}, box.width + 2, box.height + 2};
+}
+
+}  // namespace
+
+ScanCells CastRays(const RangeData& data, double resolution) {
+  ScanCells cells;
+  Marks marks(BoxOfRays(data, resolution));
+  for (const Eigen::Vector2d& point : data.returns) {
+    const CellIndex cell = CellOf(point, resolution);
+    if (marks.Mark(cell)) cells.hits.push_back(cell);
+  }
+  const Eigen::Vector2d origin = ToPixelFrame(data.origin, resolution);
+  const auto cast_to = [&](const Eigen::Vector2d& end) {
+    ForEachCrossedCell(origin, ToPixelFrame(end, resolution), [&](CellIndex cell) {
+      if (marks.Mark(cell)) cells.misses.push_back(cell);
+    });
+  };
+  std::for_each(data.returns.begin(), data.returns.end(), cast_to);
+  std::for_each(data.misses.begin(), data.misses.end(), cast_to);
+  return cells;
+}
+
+}  // namespace loopscope

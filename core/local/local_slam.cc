@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/local/local_slam.h"
+
+#include "core/local/scan_matching.h"
+#include "core/local/scan_preparation.h"
+
+namespace loopscope {
+
+LocalSlam::LocalSlam(const ScanLog& log, const LocalSlamOptions& options)
+    : log_(log),
+      options_(options),
+      motion_filter_(options.motion_filter),
+      active_submaps_(options.submaps) {}
+
+LocalSlamResult LocalSlam::AddScan(int scan) {
+  const double time = log_.scans[scan].time;
+  LocalSlamResult result;
+  if (options_.use_odometry) {
+    if (const auto reading = OdometryOfScan(log_, scan)) {
+      result.odom_from_base = reading->odom_from_base;
+    }
+  }
+  result.range_data = PrepareRangeData(log_, scan, options_);
+  result.has_returns = !result.range_data.returns.empty();
+  result.local_from_base_prior = extrapolator_.Predict(time, result.odom_from_base);
+  result.local_from_base = result.local_from_base_prior;
+  if (result.has_returns) Match(&result);
+  extrapolator_.AddPose(time, result.local_from_base, result.odom_from_base);
+  if (result.has_returns && !motion_filter_.IsSimilar(time, result.local_from_base)) {
+    result.insertion = active_submaps_.Insert(result.local_from_base, result.range_data);
+  }
+  return result;
+}
+
+void LocalSlam::Match(LocalSlamResult* result) const {
+  const ActiveSubmap* submap = active_submaps_.MatchingSubmap();
+  if (submap == nullptr) return;
+  const PointCloud points =
+      AdaptiveVoxelFilter(result->range_data.returns, options_.adaptive_voxel_filter);
+  if (points.empty()) return;
+  const Pose2& local_from_submap = submap->local_from_submap;
+  const ScanMatch match = MatchScan(
+      points, submap->grid, local_from_submap.Inverse() * result->local_from_base_prior, options_);
+  if (match.submap_from_base_correlative) {
+    result->local_from_base_correlative = local_from_submap * *match.submap_from_base_correlative;
+  }
+  result->local_from_base = local_from_submap * match.submap_from_base;
+}
+
+}  // namespace loopscope

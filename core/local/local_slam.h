@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "core/local/active_submaps.h"
+#include "core/local/local_slam_options.h"
+#include "core/local/pose_extrapolator.h"
+#include "core/sensor/scan_log.h"
+
+namespace loopscope {
+
+/// What local SLAM made of a scan.
+struct LocalSlamResult {
+  std::optional<Pose2> odom_from_base;               ///< if odometry is used and there is any
+  Pose2 local_from_base_prior;                       ///< extrapolated
+  std::optional<Pose2> local_from_base_correlative;  ///< after the correlative matcher, if it ran
+  Pose2 local_from_base;                             ///< after (CS), or extrapolated
+  bool has_returns = false;
+  RangeData range_data;                               ///< in the frame of the robot
+  std::optional<ActiveSubmaps::Insertion> insertion;  ///< unless the motion filter dropped the scan
+};
+
+/// Builds submaps from scans: each scan is matched against the submap that is being built and then
+/// inserted. Drifts over time; the pose graph corrects that.
+class LocalSlam {
+ public:
+  /// Keeps a reference to `log`.
+  LocalSlam(const ScanLog& log, const LocalSlamOptions& options);
+
+  /// Adds scan `scan` of the log; scans are added in their order.
+  LocalSlamResult AddScan(int scan);
+
+ private:
+  void Match(LocalSlamResult* result) const;
+
+  const ScanLog& log_;
+  LocalSlamOptions options_;
+  PoseExtrapolator extrapolator_;
+  MotionFilter motion_filter_;
+  ActiveSubmaps active_submaps_;
+};
+
+}  // namespace loopscope

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/local/pose_extrapolator.h"
+
+#include <algorithm>
+
+namespace loopscope {
+namespace {
+
+/// A pause in the log says nothing about the velocity after it, so no motion is stretched by more.
+constexpr double kMaxStretch = 3.0;
+
+}  // namespace
+
+Pose2 PoseExtrapolator::Predict(double time, const std::optional<Pose2>& odom_from_base) const {
+  if (!last_) return Pose2();
+  if (odom_from_base && last_->odom_from_base) {
+    return last_->local_from_base * (last_->odom_from_base->Inverse() * *odom_from_base);
+  }
+  if (!before_last_ || last_->time <= before_last_->time) return last_->local_from_base;
+  const Pose2 motion = before_last_->local_from_base.Inverse() * last_->local_from_base;
+  const double stretch =
+      std::clamp((time - last_->time) / (last_->time - before_last_->time), 0.0, kMaxStretch);
+  return last_->local_from_base * Pose2(stretch * motion.translation, stretch * motion.rotation);
+}
+
+void PoseExtrapolator::AddPose(double time, const Pose2& local_from_base,
+                               const std::optional<Pose2>& odom_from_base) {
+  before_last_ = last_;
+  last_ = Known{time, local_from_base, odom_from_base};
+}
+
+}  // namespace loopscope

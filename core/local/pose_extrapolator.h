@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "core/geometry/pose2.h"
+
+namespace loopscope {
+
+/// Predicts where the robot is when a scan comes, from where the scans before were matched.
+class PoseExtrapolator {
+ public:
+  /// The pose at `time` [s]: the motion that odometry measured since the last pose, if it was known
+  /// there and is now; else the velocity between the last two poses, kept. The identity before any
+  /// pose is known.
+  Pose2 Predict(double time, const std::optional<Pose2>& odom_from_base) const;
+
+  /// Tells where the scan at `time` was matched.
+  void AddPose(double time, const Pose2& local_from_base,
+               const std::optional<Pose2>& odom_from_base);
+
+ private:
+  struct Known {
+    double time = 0.0;
+    Pose2 local_from_base;
+    std::optional<Pose2> odom_from_base;
+  };
+  std::optional<Known> last_;
+  std::optional<Known> before_last_;
+};
+
+}  // namespace loopscope

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/local/scan_preparation.h"
+
+namespace loopscope {
+
+RangeData PrepareRangeData(const ScanLog& log, int scan, const LocalSlamOptions& options) {
+  const LaserScan& laser_scan = log.scans[scan];
+  RangeData data = ToRangeData(laser_scan, log.beam_geometries[laser_scan.beam_geometry],
+                               log.base_from_laser, options.range);
+  data.returns = VoxelFilter(data.returns, options.voxel_filter_size);
+  data.misses = VoxelFilter(data.misses, options.voxel_filter_size);
+  return data;
+}
+
+}  // namespace loopscope

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/local/local_slam_options.h"
+#include "core/sensor/scan_log.h"
+
+namespace loopscope {
+
+/// The readings of scan `scan` of `log` that are used, voxel filtered, in the frame of the robot.
+RangeData PrepareRangeData(const ScanLog& log, int scan, const LocalSlamOptions& options);
+
+}  // namespace loopscope

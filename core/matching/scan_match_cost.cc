@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/matching/scan_match_cost.h"
+
+#include <cmath>
+
+namespace loopscope {
+
+ScanMatchCost::ScanMatchCost(const PointCloud& points_in_scan, const ProbabilityGrid& grid,
+                             const Eigen::Vector2d& target_translation, double target_rotation,
+                             const CeresScanMatcherOptions& options)
+    : points_(points_in_scan),
+      smooth_(grid),
+      target_(target_translation.x(), target_translation.y(), target_rotation),
+      prior_weights_(options.translation_weight, options.translation_weight,
+                     options.rotation_weight),
+      point_weight_(options.occupied_space_weight /
+                    std::sqrt(static_cast<double>(points_in_scan.size()))) {}
+
+bool ScanMatchCost::operator()(const double* pose, double* residuals, double* jacobian) const {
+  const int num_points = static_cast<int>(points_.size());
+  const int num_rows = NumResiduals();
+  const Eigen::Vector2d translation(pose[0], pose[1]);
+  const Eigen::Matrix2d rotation = Pose2(0.0, 0.0, pose[2]).RotationMatrix();
+  for (int k = 0; k < num_points; ++k) {
+    const Eigen::Vector2d arm = rotation * points_[k];
+    const SmoothValue smooth = smooth_.At(arm + translation);
+    residuals[k] = point_weight_ * (1.0 - smooth.value);
+    if (jacobian == nullptr) continue;
+    // d (R h) / d theta is R h turned by a quarter.
+    const double by_angle = -arm.y() * smooth.gradient.x() + arm.x() * smooth.gradient.y();
+    jacobian[k] = -point_weight_ * smooth.gradient.x();
+    jacobian[k + num_rows] = -point_weight_ * smooth.gradient.y();
+    jacobian[k + 2 * num_rows] = -point_weight_ * by_angle;
+  }
+  for (int i = 0; i < 3; ++i) {
+    residuals[num_points + i] = prior_weights_[i] * (pose[i] - target_[i]);
+    if (jacobian == nullptr) continue;
+    for (int j = 0; j < 3; ++j) {
+      jacobian[num_points + i + j * num_rows] = i == j ? prior_weights_[i] : 0.0;
+    }
+  }
+  return true;
+}
+
+}  // namespace loopscope

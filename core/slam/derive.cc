@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/slam/derive.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "core/graph/loop_search.h"
+#include "core/grid/ray_cast.h"
+#include "core/local/scan_matching.h"
+#include "core/local/scan_preparation.h"
+
+namespace loopscope {
+namespace {
+
+const LocalSlamOptions& LocalOptions(const Recording& recording) {
+  return recording.options().trajectory_builder_2d;
+}
+
+/// The submap that the scan of `step` was matched against: the older of those active then.
+std::optional<SubmapId> MatchingSubmapOfStep(const Recording& recording, int step) {
+  for (int i = 0; i < static_cast<int>(recording.submaps().size()); ++i) {
+    const Submap& submap = recording.submaps()[i];
+    const bool begun = recording.node(submap.first_node).step < step;
+    const bool active = submap.finished_step < 0 || submap.finished_step >= step;
+    if (begun && active) return SubmapId{i};
+  }
+  return std::nullopt;
+}
+
+double MeanProbability(const PointCloud& points, const Pose2& submap_from_points,
+                       const ProbabilityGrid& grid) {
+  double sum = 0.0;
+  for (const Eigen::Vector2d& point : Transform(submap_from_points, points)) {
+    sum += grid.probability(CellOf(point, grid.resolution()));
+  }
+  return sum / static_cast<double>(points.size());
+}
+
+bool LiesIn(const Submap& submap, NodeId node) {
+  return submap.first_node.index <= node.index &&
+         node.index < submap.first_node.index + submap.num_nodes;
+}
+
+/// The pair as the mapper considered it, if it did so and searched it.
+std::optional<LoopCandidate> SearchedCandidate(const Recording& recording, SubmapId submap,
+                                               NodeId node) {
+  const auto& candidates = recording.candidates();
+  const auto found =
+      std::find_if(candidates.begin(), candidates.end(), [&](const LoopCandidate& candidate) {
+        return candidate.submap == submap && candidate.node == node &&
+               candidate.verdict != Verdict::kNotSampled;
+      });
+  if (found == candidates.end()) return std::nullopt;
+  return *found;
+}
+
+}  // namespace
+
+RangeData RangeDataOfStep(const Recording& recording, int step) {
+  return PrepareRangeData(recording.log(), step, LocalOptions(recording));
+}
+
+PointCloud LoopPointsOfNode(const Recording& recording, NodeId node) {
+  return AdaptiveVoxelFilter(RangeDataOfStep(recording, recording.node(node).step).returns,
+                             LocalOptions(recording).loop_closure_adaptive_voxel_filter);
+}
+
+Pose2 SubmapFromNode(const Recording& recording, SubmapId submap, NodeId node) {
+  return recording.submap(submap).local_from_submap.Inverse() *
+         recording.node(node).local_from_base;
+}
+
+ScanCells CellsOfNode(const Recording& recording, SubmapId submap, NodeId node) {
+  const double resolution = LocalOptions(recording).submaps.grid_resolution;
+  const RangeData range_data_in_local = Transform(
+      recording.node(node).local_from_base, RangeDataOfStep(recording, recording.node(node).step));
+  return ToSubmapLattice(CastRays(range_data_in_local, resolution),
+                         recording.submap(submap).local_from_submap, resolution);
+}
+
+ProbabilityGrid GridOfSubmap(const Recording& recording, SubmapId submap, int num_nodes) {
+  const SubmapsOptions& options = LocalOptions(recording).submaps;
+  const Submap& record = recording.submap(submap);
+  if (num_nodes < 0) num_nodes = record.num_nodes;
+  assert(num_nodes <= record.num_nodes);
+  const ScanInserter inserter(options.range_data_inserter);
+  ProbabilityGrid grid(options.grid_resolution);
+  for (int i = 0; i < num_nodes; ++i) {
+    inserter.Insert(CellsOfNode(recording, submap, NodeId{record.first_node.index + i}), &grid);
+  }
+  return grid;
+}
+
+int NumNodesOfSubmapAfterStep(const Recording& recording, SubmapId submap, int step) {
+  const Submap& record = recording.submap(submap);
+  int num_nodes = 0;
+  while (num_nodes < record.num_nodes &&
+         recording.nodes()[record.first_node.index + num_nodes].step <= step) {
+    ++num_nodes;
+  }
+  return num_nodes;
+}
+
+std::vector<Constraint> ConstraintsOf(const Recording& recording, const MapState& state) {
+  const PoseGraphOptions& options = recording.options().pose_graph;
+  std::vector<Constraint> constraints;
+  for (NodeId node{0}; node.index < state.num_nodes; ++node.index) {
+    const Node& record = recording.node(node);
+    for (int i = 0; i < record.num_submaps; ++i) {
+      const SubmapId submap{record.first_submap.index + i};
+      constraints.push_back({submap, node, SubmapFromNode(recording, submap, node),
+                             options.matcher_translation_weight, options.matcher_rotation_weight,
+                             Constraint::Tag::kIntraSubmap});
+    }
+  }
+  for (int i = 0; i < state.num_candidates; ++i) {
+    const LoopCandidate& candidate = recording.candidates()[i];
+    if (candidate.verdict == Verdict::kAccepted) {
+      constraints.push_back(ToConstraint(candidate, options.constraint_builder));
+    }
+  }
+  return constraints;
+}
+
+std::optional<MatchReplay> ReplayMatch(const Recording& recording, int step) {
+  const std::optional<SubmapId> submap = MatchingSubmapOfStep(recording, step);
+  if (!submap) return std::nullopt;
+  PointCloud points = AdaptiveVoxelFilter(RangeDataOfStep(recording, step).returns,
+                                          LocalOptions(recording).adaptive_voxel_filter);
+  if (points.empty()) return std::nullopt;
+  const Step& record = recording.step(step);
+  const Pose2 submap_from_local = recording.submap(*submap).local_from_submap.Inverse();
+  MatchReplay replay{
+      *submap,
+      GridOfSubmap(recording, *submap, NumNodesOfSubmapAfterStep(recording, *submap, step - 1)),
+      std::move(points),
+      submap_from_local * record.local_from_base_prior,
+      std::nullopt,
+      submap_from_local * record.local_from_base};
+  if (record.local_from_base_correlative) {
+    replay.submap_from_base_correlative = submap_from_local * *record.local_from_base_correlative;
+  }
+  replay.prior_score = MeanProbability(replay.points, replay.submap_from_base_prior, replay.grid);
+  replay.score = MeanProbability(replay.points, replay.submap_from_base, replay.grid);
+  return replay;
+}
+
+std::optional<SearchReplay> ReplaySearch(const Recording& recording, SubmapId submap, NodeId node,
+                                         std::optional<double> min_score) {
+  const Submap& record = recording.submap(submap);
+  if (record.finished_step < 0 || LiesIn(record, node)) return std::nullopt;
+  const std::optional<LoopCandidate> searched = SearchedCandidate(recording, submap, node);
+  SearchReplay replay{searched.value_or(LoopCandidate{}),
+                      searched.has_value(),
+                      GridOfSubmap(recording, submap),
+                      LoopPointsOfNode(recording, node),
+                      {}};
+  if (!searched) replay.candidate = ConsiderPair(recording, submap, node);
+  ConstraintBuilderOptions options = recording.options().pose_graph.constraint_builder;
+  if (min_score) options.min_score = options.global_localization_min_score = *min_score;
+  const BranchAndBoundMatcher matcher(replay.grid, options.fast_correlative_scan_matcher);
+  replay.result =
+      SearchLoop(replay.candidate, replay.points, replay.grid, matcher, options, &replay.trace);
+  return replay;
+}
+
+LoopCandidate ConsiderPair(const Recording& recording, SubmapId submap, NodeId node) {
+  LoopCandidate candidate;
+  candidate.submap = submap;
+  candidate.node = node;
+  candidate.considered_step =
+      std::max(recording.submap(submap).finished_step, recording.node(node).step);
+  const MapState state = StateAfterStep(recording, candidate.considered_step);
+  candidate.submap_from_node_guess =
+      state.global_from_submap[submap.index].Inverse() * state.global_from_node[node.index];
+  const double max_distance =
+      recording.options().pose_graph.constraint_builder.max_constraint_distance;
+  candidate.verdict = candidate.submap_from_node_guess.translation.norm() > max_distance
+                          ? Verdict::kTooFar
+                          : Verdict::kNotSampled;
+  return candidate;
+}
+
+}  // namespace loopscope

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/slam/slam.h"
+
+#include <utility>
+
+namespace loopscope {
+namespace {
+
+Step ToStep(const LocalSlamResult& local) {
+  Step step;
+  step.local_from_base_prior = local.local_from_base_prior;
+  step.local_from_base_correlative = local.local_from_base_correlative;
+  step.local_from_base = local.local_from_base;
+  step.outcome = local.insertion     ? StepOutcome::kInserted
+                 : local.has_returns ? StepOutcome::kMotionFiltered
+                                     : StepOutcome::kNoReturns;
+  return step;
+}
+
+}  // namespace
+
+Slam::Slam(const ScanLog& log, const Options& options, int num_threads)
+    : log_(log),
+      options_(options),
+      local_slam_(log, options.trajectory_builder_2d),
+      pose_graph_(options.pose_graph, num_threads) {}
+
+SlamUpdate Slam::AddScan(int scan) {
+  // Section IV of the paper: match the scan to the submap (CS), insert its hits and misses (2, 3).
+  LocalSlamResult local = local_slam_.AddScan(scan);
+  SlamUpdate update;
+  update.step = ToStep(local);
+
+  // Section V: each node and each finished submap set off loop searches (BBS) in the background.
+  if (local.insertion) {
+    AddNode(scan, local, &update);
+    if (local.insertion->finished) {
+      FinishSubmap(scan, std::move(*local.insertion->finished), &update);
+    }
+  }
+
+  // Every few nodes the loops found enter the graph, and all poses are optimized (SPA, 4, 5).
+  const bool is_last = scan + 1 == static_cast<int>(log_.scans.size());
+  if (num_nodes_ > 0 && (is_last || pose_graph_.OptimizationIsDue())) {
+    update.candidates = pose_graph_.CollectLoops(scan);
+    update.optimization = Optimize(scan, is_last);
+  }
+  return update;
+}
+
+void Slam::AddNode(int scan, const LocalSlamResult& local, SlamUpdate* update) {
+  const ActiveSubmaps::Insertion& insertion = *local.insertion;
+  const NodeId id{num_nodes_++};
+  if (insertion.started_local_from_submap) {
+    update->started_submap = Submap{*insertion.started_local_from_submap, id, 0, -1};
+    pose_graph_.AddSubmap(*insertion.started_local_from_submap);
+  }
+  update->step.node = id;
+  update->node = Node{scan, local.local_from_base, insertion.first_submap, insertion.num_submaps};
+  auto points = std::make_shared<PointCloud>(AdaptiveVoxelFilter(
+      local.range_data.returns, options_.trajectory_builder_2d.loop_closure_adaptive_voxel_filter));
+  pose_graph_.AddNode({local.local_from_base, local.odom_from_base, insertion.first_submap,
+                       insertion.num_submaps, std::move(points)},
+                      scan);
+}
+
+void Slam::FinishSubmap(int scan, ActiveSubmap finished, SlamUpdate* update) {
+  update->finished_submap = finished.id;
+  pose_graph_.FinishSubmap(finished.id, std::move(finished.grid), scan);
+}
+
+Optimization Slam::Optimize(int scan, bool final) {
+  GraphSolution solution =
+      pose_graph_.Optimize(final ? options_.pose_graph.max_num_final_iterations
+                                 : options_.pose_graph.optimization_problem.max_num_iterations);
+  return {scan,
+          final,
+          std::move(solution.global_from_submap),
+          std::move(solution.global_from_node),
+          solution.num_iterations,
+          solution.initial_cost,
+          solution.final_cost};
+}
+
+}  // namespace loopscope
