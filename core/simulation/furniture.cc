@@ -27,7 +27,7 @@ void FurnishOffice(const Pose2& world_from_room, const Eigen::Vector2d& size, Ra
   }
   const int num_cabinets = 1 + random.Below(2);
   for (int i = 0; i < num_cabinets; ++i) {
-    const double y = 1.0 + 0.95 * i;
+    const double y = 1.75 + 0.95 * i;
     plan.AddBox(world_from_room * Pose2(0.08 + kCabinetDepth / 2.0, y, 0.0), {kCabinetDepth, 0.9});
   }
   plan.AddPillar(world_from_room * Eigen::Vector2d(size.x() - 0.35, 0.35), 0.15);

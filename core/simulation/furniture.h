@@ -10,14 +10,14 @@ namespace loopscope {
 /// What a room is used for, and so what stands in it.
 enum class RoomUse {
   kEmpty,
-  kOffice,   ///< desks at the far wall with chairs, cabinets at the sides
+  kOffice,   ///< desks with chairs at the far wall, cabinets at the left one
   kMeeting,  ///< a long table in the middle with chairs on both sides
   kStorage,  ///< rows of shelves
 };
 
 /// Adds the furniture of a room to `plan`. In the frame of the room x runs along the wall with the
-/// door and y into the room; `size` is its width and depth [m]. An office leaves the half of the
-/// room at its door free, a meeting room 0.9 m along its walls.
+/// door and y into the room; `size` is its width and depth [m]. An office leaves its half at
+/// the door free, but for the left wall; a meeting room leaves 0.9 m along its walls.
 void Furnish(RoomUse use, const Pose2& world_from_room, const Eigen::Vector2d& size, Random& random,
              FloorPlan& plan);
 

@@ -127,6 +127,19 @@ void AddCorridorThings(FloorPlan& plan) {
   plan.AddPillar({kCrossEast - 0.3, 12.9}, 0.18);
 }
 
+// From the lobby along the northern corridor with a look into two rooms, down the western one,
+// around the table of the meeting room and into an office; by the corridor across and the lounge to
+// the west, which closes the first loop; and along the northern and southern corridors to the
+// lobby.
+std::vector<Eigen::Vector2d> Route() {
+  return {{33.0, 11.0}, {29.5, 11.0}, {29.5, 15.5}, {22.0, 15.5}, {22.0, 18.6}, {22.0, 15.6},
+          {8.6, 15.5},  {8.6, 18.3},  {8.6, 15.6},  {6.5, 15.3},  {6.5, 6.5},   {7.5, 5.6},
+          {7.5, 4.7},   {1.0, 4.75},  {0.9, 0.75},  {7.5, 0.75},  {7.4, 3.6},   {7.5, 5.0},
+          {7.6, 6.2},   {15.9, 6.4},  {15.9, 3.4},  {15.9, 6.2},  {17.3, 6.4},  {17.5, 11.0},
+          {14.0, 11.0}, {9.0, 11.0},  {6.5, 11.2},  {6.5, 15.5},  {17.5, 15.5}, {17.5, 6.5},
+          {29.5, 6.5},  {29.5, 11.0}, {33.0, 11.0}};
+}
+
 }  // namespace
 
 World OfficeWorld() {
@@ -142,40 +155,7 @@ World OfficeWorld() {
   AddLounge(world.plan);
   AddStairs(world.plan);
   AddCorridorThings(world.plan);
-  world.route = {// From the lobby along the northern corridor, with a look into two rooms,
-                 {33.0, 11.0},
-                 {29.5, 11.0},
-                 {29.5, 15.5},
-                 {22.0, 15.5},
-                 {22.0, 18.6},
-                 {22.0, 15.6},
-                 {8.6, 15.5},
-                 {8.6, 18.3},
-                 {8.6, 15.6},
-                 // down the western one and around the table of the meeting room,
-                 {6.5, 15.3},
-                 {6.5, 6.5},
-                 {7.5, 5.6},
-                 {7.5, 4.7},
-                 {1.0, 4.75},
-                 {0.9, 0.75},
-                 {7.5, 0.75},
-                 {7.4, 3.6},
-                 {7.5, 5.0},
-                 {7.6, 6.2},
-                 // through the middle and the lounge to the west, where the first loop closes,
-                 {17.3, 6.4},
-                 {17.5, 11.0},
-                 {14.0, 11.0},
-                 {9.0, 11.0},
-                 {6.5, 11.2},
-                 {6.5, 15.5},
-                 // and by the corridor across and the southern one back to the lobby.
-                 {17.5, 15.5},
-                 {17.5, 6.5},
-                 {29.5, 6.5},
-                 {29.5, 11.0},
-                 {33.0, 11.0}};
+  world.route = Route();
   return world;
 }
 

@@ -35,7 +35,7 @@ void AddHotelRow(const Pose2& world_from_wall, int num_rooms, FloorPlan& plan) {
 
 World LoopWorld() {
   World world;
-  world.description = "ring of corridors, 20 m x 14 m, with alcoves, driven twice";
+  world.description = "ring of corridors, 20 m x 14 m, with cupboards and pillars, driven twice";
   FloorPlan& plan = world.plan;
   plan.AddRoom({0.0, 0.0}, {20.0, 14.0});
   plan.AddRoom({2.2, 2.2}, {17.8, 11.8});

@@ -9,20 +9,22 @@
 namespace loopscope {
 namespace {
 
-void CheckAtLeast(const char* name, double value, double least) {
-  if (value >= least) return;
-  throw std::invalid_argument(
-      fmt::format("simulation: {} = {} is out of range; expected {} or more", name, value, least));
+// Both ends of the range are allowed.
+void CheckRange(const char* name, double value, double low, double high) {
+  if (value >= low && value <= high) return;
+  throw std::invalid_argument(fmt::format("simulation: {} = {} is out of range; expected {} to {}",
+                                          name, value, low, high));
 }
 
 void Check(const SimulationOptions& options) {
-  CheckAtLeast("scan_period", options.scan_period, 0.01);
-  CheckAtLeast("odometry_readings_per_scan", options.odometry_readings_per_scan, 1);
-  CheckAtLeast("drive.max_speed", options.drive.max_speed, 0.1);
-  CheckAtLeast("lidar.beams.num_beams", options.lidar.beams.num_beams, 1);
-  CheckAtLeast("lidar.max_range", options.lidar.max_range, 0.1);
-  CheckAtLeast("lidar.range_noise", options.lidar.range_noise, 0.0);
-  CheckAtLeast("lidar.range_step", options.lidar.range_step, 1e-4);
+  CheckRange("scan_period", options.scan_period, 0.01, 10.0);
+  CheckRange("odometry_readings_per_scan", options.odometry_readings_per_scan, 1, 100);
+  CheckRange("drive.max_speed", options.drive.max_speed, 0.1, 2.0);
+  CheckRange("lidar.beams.num_beams", options.lidar.beams.num_beams, 1, 10000);
+  CheckRange("lidar.max_range", options.lidar.max_range, 0.1, 80.0);
+  CheckRange("lidar.range_noise", options.lidar.range_noise, 0.0, 1.0);
+  CheckRange("lidar.range_step", options.lidar.range_step, 1e-4, 1.0);
+  CheckRange("lidar.dropout_probability", options.lidar.dropout_probability, 0.0, 1.0);
 }
 
 }  // namespace

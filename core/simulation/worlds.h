@@ -12,7 +12,7 @@ namespace loopscope {
 /// with open and closed doors, a lounge and a lobby.
 World OfficeWorld();
 
-/// A small ring of corridors with alcoves of different sizes, driven twice.
+/// A small ring of corridors with cupboards of different sizes, driven twice.
 World LoopWorld();
 
 /// A hall of 40 m x 28 m with rows of racks and pillars, seen far across.
