@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/evaluation/trajectory_error.h"
+
+#include <cassert>
+#include <cmath>
+
+namespace loopscope {
+
+std::vector<PosePair> PairByTime(const Trajectory& reference, const Trajectory& estimate) {
+  std::vector<PosePair> pairs;
+  if (estimate.empty()) return pairs;
+  for (const TimedPose& pose : reference) {
+    if (pose.time < estimate.front().time || pose.time > estimate.back().time) continue;
+    pairs.push_back({pose.time, pose.map_from_base, PoseAt(estimate, pose.time)});
+  }
+  return pairs;
+}
+
+Pose2 AlignToReference(const std::vector<PosePair>& pairs) {
+  assert(!pairs.empty());
+  Eigen::Vector2d reference_mean = Eigen::Vector2d::Zero();
+  Eigen::Vector2d estimate_mean = Eigen::Vector2d::Zero();
+  for (const PosePair& pair : pairs) {
+    reference_mean += pair.reference_from_base.translation / static_cast<double>(pairs.size());
+    estimate_mean += pair.map_from_base.translation / static_cast<double>(pairs.size());
+  }
+  // In the plane the optimal rotation is the angle of the summed products of complex numbers.
+  double sum_of_dots = 0.0;
+  double sum_of_crosses = 0.0;
+  for (const PosePair& pair : pairs) {
+    const Eigen::Vector2d a = pair.map_from_base.translation - estimate_mean;
+    const Eigen::Vector2d b = pair.reference_from_base.translation - reference_mean;
+    sum_of_dots += a.dot(b);
+    sum_of_crosses += a.x() * b.y() - a.y() * b.x();
+  }
+  const Pose2 rotation(0.0, 0.0, std::atan2(sum_of_crosses, sum_of_dots));
+  return Pose2(reference_mean - rotation * estimate_mean, rotation.rotation);
+}
+
+std::optional<TrajectoryError> EvaluateTrajectory(const Trajectory& reference,
+                                                  const Trajectory& estimate) {
+  const std::vector<PosePair> pairs = PairByTime(reference, estimate);
+  if (pairs.empty()) return std::nullopt;
+  TrajectoryError error;
+  error.reference_from_map = AlignToReference(pairs);
+  std::vector<double> translations, rotations;
+  for (const PosePair& pair : pairs) {
+    const Pose2 aligned = error.reference_from_map * pair.map_from_base;
+    translations.push_back((aligned.translation - pair.reference_from_base.translation).norm());
+    rotations.push_back(
+        std::abs(NormalizeAngle(aligned.rotation - pair.reference_from_base.rotation)));
+  }
+  error.translation = StatisticsOf(translations);
+  error.rotation = StatisticsOf(rotations);
+  return error;
+}
+
+}  // namespace loopscope
