@@ -13,10 +13,11 @@ constexpr double kUp = 1.5707963267948966;  // [rad]
 
 TEST(FloorPlan, WallIsSeenAtHalfItsThickness) {
   FloorPlan plan;
+  plan.AddRoom({0.0, 0.0}, {4.0, 4.0});
   plan.AddWall({0.0, 2.0}, {4.0, 2.0}, {}, 0.2);
-  EXPECT_NEAR(RayCaster(plan).Distance({1.0, 1.95}, -kUp, 10.0).value_or(-1.0), 0.05, 1e-9);
   const RayCaster ray_caster(plan);
-  EXPECT_NEAR(*ray_caster.Distance({1.0, 1.9 - 0.05}, kUp, 10.0), 0.05, 1e-9);
+  EXPECT_NEAR(*ray_caster.Distance({1.0, 1.0}, kUp, 10.0), 0.9, 1e-9);
+  EXPECT_NEAR(*ray_caster.Distance({1.0, 3.0}, -kUp, 10.0), 0.9, 1e-9);
 }
 
 TEST(FloorPlan, OneSeesThroughADoorAndMeetsItsJambs) {
@@ -49,8 +50,7 @@ TEST(FloorPlan, BoxTurnsAroundItsMiddle) {
     low = low.min(segment.from.array());
     high = high.max(segment.from.array());
   }
-  EXPECT_TRUE(low.isApprox(Eigen::Array2d(0.0, -1.0)) ||
-              (low - Eigen::Array2d(0.0, -1.0)).abs().maxCoeff() < 1e-9);
+  EXPECT_LT((low - Eigen::Array2d(0.0, -1.0)).abs().maxCoeff(), 1e-9);
   EXPECT_LT((high - Eigen::Array2d(2.0, 3.0)).abs().maxCoeff(), 1e-9);
 }
 

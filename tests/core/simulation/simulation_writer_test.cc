@@ -138,5 +138,16 @@ TEST(SaveSimulation, NamesTheFileThatCannotBeWritten) {
   }
 }
 
+TEST(SaveSimulation, MadeTheBundledLog) {
+  const std::string bundled = LOOPSCOPE_SOURCE_DIR "/datasets/office";
+  const std::string remade = ::testing::TempDir() + "/office";
+  SaveSimulation(Simulate(MakeWorld("office"), {}), remade + ".log.gz");
+  for (const char* end : {".log.gz", ".relations", ".tum"}) {
+    const std::string text = ReadText(bundled + end);
+    EXPECT_GT(text.size(), 1000u) << end;
+    EXPECT_TRUE(text == ReadText(remade + end)) << end << " differs: see datasets/README.md";
+  }
+}
+
 }  // namespace
 }  // namespace loopscope
