@@ -11,6 +11,15 @@
 
 namespace loopscope {
 
+/// TRAJECTORY_BUILDER_2D.recovery, not in Cartographer: a wide search in the active submap for a scan
+/// that matches badly, as after a jump of odometry.
+struct RecoveryOptions {
+  double min_score = 0.0;  ///< search if the mean probability at the points is below; 0: never
+  double min_gain = 0.1;   ///< take what was found if its mean probability is higher by this much
+  double linear_search_window = 1.0;                      ///< [m]
+  double angular_search_window = DegreesToRadians(90.0);  ///< [rad]
+};
+
 /// TRAJECTORY_BUILDER_2D. Defaults here and in the parts are Cartographer's.
 struct LocalSlamOptions {
   RangeOptions range;
@@ -20,6 +29,7 @@ struct LocalSlamOptions {
   bool use_online_correlative_scan_matching = false;
   CorrelativeScanMatcherOptions real_time_correlative_scan_matcher;
   CeresScanMatcherOptions ceres_scan_matcher;
+  RecoveryOptions recovery;
   MotionFilterOptions motion_filter;
   SubmapsOptions submaps;
   bool use_odometry = true;  ///< whether odometry, where there is any, predicts the motion

@@ -2,9 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/local/scan_matching.h"
 
-namespace loopscope {
+#include "core/matching/branch_and_bound.h"
+#include "core/matching/match_score.h"
 
-ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& grid,
+namespace loopscope {
+namespace {
+
+/// Enough for windows of a few metres.
+constexpr int kRecoveryDepth = 5;
+
+ScanMatch MatchNear(const PointCloud& points_in_base, const ProbabilityGrid& grid,
                     const Pose2& submap_from_base_prior, const LocalSlamOptions& options) {
   ScanMatch match;
   Pose2 start = submap_from_base_prior;
@@ -18,6 +25,33 @@ ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& gri
                                           start, options.ceres_scan_matcher)
                                .submap_from_scan;
   return match;
+}
+
+/// The best match in the wide window, if it beats `min_score`.
+std::optional<ScanMatch> Recover(const PointCloud& points_in_base, const ProbabilityGrid& grid,
+                                 const Pose2& submap_from_base_prior, double min_score,
+                                 const LocalSlamOptions& options) {
+  const BranchAndBoundMatcher matcher(
+      grid, {options.recovery.linear_search_window, options.recovery.angular_search_window,
+             kRecoveryDepth});
+  const SearchOutcome outcome = matcher.Search(points_in_base, submap_from_base_prior, min_score);
+  if (!outcome.winner) return std::nullopt;
+  const Pose2& found = outcome.winner->submap_from_scan;
+  return ScanMatch{found, MatchWithCeres(points_in_base, grid, found.translation, found,
+                                         options.ceres_scan_matcher)
+                              .submap_from_scan};
+}
+
+}  // namespace
+
+ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& grid,
+                    const Pose2& submap_from_base_prior, const LocalSlamOptions& options) {
+  const ScanMatch near = MatchNear(points_in_base, grid, submap_from_base_prior, options);
+  const double score = MeanProbability(points_in_base, near.submap_from_base, grid);
+  if (score >= options.recovery.min_score) return near;
+  return Recover(points_in_base, grid, submap_from_base_prior, score + options.recovery.min_gain,
+                 options)
+      .value_or(near);
 }
 
 }  // namespace loopscope

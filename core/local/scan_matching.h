@@ -10,11 +10,14 @@
 namespace loopscope {
 
 struct ScanMatch {
-  std::optional<Pose2> submap_from_base_correlative;  ///< if that matcher is switched on
-  Pose2 submap_from_base;                             ///< after (CS)
+  /// Where (CS) started, if not at the prior: the place that the correlative matcher or the recovery
+  /// search found.
+  std::optional<Pose2> submap_from_base_correlative;
+  Pose2 submap_from_base;  ///< after (CS)
 };
 
-/// Local scan matching: the correlative matcher, if it is switched on, then (CS).
+/// Local scan matching: the correlative matcher, if it is switched on, then (CS). If the scan matches
+/// badly there, it is searched for in a wide window around the prior.
 ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& grid,
                     const Pose2& submap_from_base_prior, const LocalSlamOptions& options);
 

@@ -7,8 +7,8 @@
 
 #include "core/graph/loop_search.h"
 #include "core/grid/ray_cast.h"
-#include "core/local/scan_matching.h"
 #include "core/local/scan_preparation.h"
+#include "core/matching/match_score.h"
 
 namespace loopscope {
 namespace {
@@ -26,15 +26,6 @@ std::optional<SubmapId> MatchingSubmapOfStep(const Recording& recording, int ste
     if (begun && active) return SubmapId{i};
   }
   return std::nullopt;
-}
-
-double MeanProbability(const PointCloud& points, const Pose2& submap_from_points,
-                       const ProbabilityGrid& grid) {
-  double sum = 0.0;
-  for (const Eigen::Vector2d& point : Transform(submap_from_points, points)) {
-    sum += grid.probability(CellOf(point, grid.resolution()));
-  }
-  return sum / static_cast<double>(points.size());
 }
 
 bool LiesIn(const Submap& submap, NodeId node) {
@@ -151,11 +142,9 @@ std::optional<SearchReplay> ReplaySearch(const Recording& recording, SubmapId su
   const Submap& record = recording.submap(submap);
   if (record.finished_step < 0 || LiesIn(record, node)) return std::nullopt;
   const std::optional<LoopCandidate> searched = SearchedCandidate(recording, submap, node);
-  SearchReplay replay{searched.value_or(LoopCandidate{}),
-                      searched.has_value(),
-                      GridOfSubmap(recording, submap),
-                      LoopPointsOfNode(recording, node),
-                      {}};
+  SearchReplay replay{
+      searched.value_or(LoopCandidate{}), searched.has_value(), GridOfSubmap(recording, submap),
+      LoopPointsOfNode(recording, node),  LoopCandidate{},      SearchTrace{}};
   if (!searched) replay.candidate = ConsiderPair(recording, submap, node);
   ConstraintBuilderOptions options = recording.options().pose_graph.constraint_builder;
   if (min_score) options.min_score = options.global_localization_min_score = *min_score;

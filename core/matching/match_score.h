@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/grid/probability_grid.h"
+#include "core/sensor/range_data.h"
+
+namespace loopscope {
+
+/// How well a scan fits: 1/K sum_k M_nearest(T_xi h_k), in [0.1, 0.9]. `points_in_scan` must not be
+/// empty.
+double MeanProbability(const PointCloud& points_in_scan, const Pose2& submap_from_scan,
+                       const ProbabilityGrid& grid);
+
+}  // namespace loopscope
