@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/slam/option_table.h"
+
+#include <utility>
+
+namespace loopscope {
+namespace {
+
+using Rows = std::vector<OptionRow>;
+
+constexpr double kPi = 3.141592653589793;
+constexpr double kMaxLength = 1e3;  // [m]
+constexpr double kMaxWeight = 1e9;
+constexpr double kMaxCount = 1e6;
+
+void Append(const std::string& prefix, Rows rows, Rows* table) {
+  for (OptionRow& row : rows) {
+    row.key = prefix + row.key;
+    table->push_back(std::move(row));
+  }
+}
+
+Rows RangeRows(RangeOptions* o) {
+  return {
+      {"min_range", &o->min_range, 0, kMaxLength, "m", "Nearer readings are dropped."},
+      {"max_range", &o->max_range, 0.1, kMaxLength, "m", "Farther readings become misses."},
+      {"missing_data_ray_length", &o->missing_data_ray_length, 0, kMaxLength, "m",
+       "How far the ray of a reading beyond max_range is taken to be free."},
+  };
+}
+
+Rows AdaptiveVoxelFilterRows(AdaptiveVoxelFilterOptions* o) {
+  return {
+      {"max_length", &o->max_length, 0.01, 10, "m", "Edge of the coarsest voxel tried."},
+      {"min_num_points", &o->min_num_points, 1, kMaxCount, "",
+       "The voxel is made smaller until so many points are left."},
+      {"max_range", &o->max_range, 0.1, kMaxLength, "m", "Points farther away are dropped."},
+  };
+}
+
+Rows CorrelativeScanMatcherRows(CorrelativeScanMatcherOptions* o) {
+  return {
+      {"linear_search_window", &o->linear_search_window, 0, 10, "m",
+       "Poses so far from the guess in x and y are tried."},
+      {"angular_search_window", &o->angular_search_window, 0, kPi, "rad",
+       "Poses turned so far from the guess are tried."},
+      {"translation_delta_cost_weight", &o->translation_delta_cost_weight, 0, kMaxWeight, "1/m",
+       "How much leaving the guess costs."},
+      {"rotation_delta_cost_weight", &o->rotation_delta_cost_weight, 0, kMaxWeight, "1/rad",
+       "How much turning away from the guess costs."},
+  };
+}
+
+Rows CeresScanMatcherRows(CeresScanMatcherOptions* o) {
+  return {
+      {"occupied_space_weight", &o->occupied_space_weight, 0, kMaxWeight, "",
+       "How much points in cells that are not occupied cost."},
+      {"translation_weight", &o->translation_weight, 0, kMaxWeight, "1/m",
+       "How much leaving the start costs."},
+      {"rotation_weight", &o->rotation_weight, 0, kMaxWeight, "1/rad",
+       "How much turning away from the start costs."},
+      {"ceres_solver_options.max_num_iterations", &o->max_num_iterations, 0, kMaxCount, "",
+       "The solver stops after so many iterations."},
+  };
+}
+
+Rows RecoveryRows(RecoveryOptions* o) {
+  return {
+      {"min_score", &o->min_score, 0, 1, "",
+       "A scan whose mean probability is below is searched for widely; 0: never."},
+      {"min_gain", &o->min_gain, 0, 1, "",
+       "What was found is taken if its mean probability is higher by this much."},
+      {"linear_search_window", &o->linear_search_window, 0, 10, "m",
+       "Poses so far from the guess in x and y are tried."},
+      {"angular_search_window", &o->angular_search_window, 0, kPi, "rad",
+       "Poses turned so far from the guess are tried."},
+  };
+}
+
+Rows MotionFilterRows(MotionFilterOptions* o) {
+  return {
+      {"max_time_seconds", &o->max_time_seconds, 0, 1e6, "s",
+       "A scan later than that after the last node becomes a node."},
+      {"max_distance_meters", &o->max_distance_meters, 0, kMaxLength, "m",
+       "A scan farther than that from the last node becomes a node."},
+      {"max_angle_radians", &o->max_angle_radians, 0, kPi, "rad",
+       "A scan turned by more than that since the last node becomes a node."},
+  };
+}
+
+Rows SubmapsRows(SubmapsOptions* o) {
+  ScanInserterOptions& inserter = o->range_data_inserter;
+  const std::string grid_inserter = "range_data_inserter.probability_grid_range_data_inserter.";
+  return {
+      {"num_range_data", &o->num_range_data, 1, kMaxCount, "",
+       "A new submap begins after so many nodes, and is finished after twice as many."},
+      {"grid_options_2d.resolution", &o->grid_resolution, 0.005, 1, "m", "Edge of a cell."},
+      {grid_inserter + "insert_free_space", &inserter.insert_free_space, 0, 0, "",
+       "Whether misses are written."},
+      {grid_inserter + "hit_probability", &inserter.hit_probability, 0.501, 0.9, "",
+       "What a hit says about its cell."},
+      {grid_inserter + "miss_probability", &inserter.miss_probability, 0.1, 0.499, "",
+       "What a miss says about its cell."},
+  };
+}
+
+Rows LocalSlamRows(LocalSlamOptions* o) {
+  Rows rows = RangeRows(&o->range);
+  rows.push_back({"voxel_filter_size", &o->voxel_filter_size, 0.001, 10, "m",
+                  "Edge of the voxels that keep one point of the scan each."});
+  Append("adaptive_voxel_filter.", AdaptiveVoxelFilterRows(&o->adaptive_voxel_filter), &rows);
+  Append("loop_closure_adaptive_voxel_filter.",
+         AdaptiveVoxelFilterRows(&o->loop_closure_adaptive_voxel_filter), &rows);
+  rows.push_back({"use_online_correlative_scan_matching", &o->use_online_correlative_scan_matching,
+                  0, 0, "", "Whether the correlative matcher runs before (CS)."});
+  Append("real_time_correlative_scan_matcher.",
+         CorrelativeScanMatcherRows(&o->real_time_correlative_scan_matcher), &rows);
+  Append("ceres_scan_matcher.", CeresScanMatcherRows(&o->ceres_scan_matcher), &rows);
+  Append("recovery.", RecoveryRows(&o->recovery), &rows);
+  Append("motion_filter.", MotionFilterRows(&o->motion_filter), &rows);
+  Append("submaps.", SubmapsRows(&o->submaps), &rows);
+  return rows;
+}
+
+Rows FastCorrelativeScanMatcherRows(BranchAndBoundOptions* o) {
+  return {
+      {"linear_search_window", &o->linear_search_window, 0, kMaxLength, "m",
+       "W_x and W_y of eq. 8: how far from the guess a loop is searched."},
+      {"angular_search_window", &o->angular_search_window, 0, kPi, "rad",
+       "W_theta of eq. 8: how far a loop may be turned from the guess."},
+      {"branch_and_bound_depth", &o->branch_and_bound_depth, 1, 12, "",
+       "Number of precomputed grids, h_0 + 1 of eq. 13."},
+  };
+}
+
+Rows ConstraintBuilderRows(ConstraintBuilderOptions* o) {
+  Rows rows = {
+      {"sampling_ratio", &o->sampling_ratio, 0, 1, "",
+       "Share of the pairs of node and submap near each other that are searched."},
+      {"max_constraint_distance", &o->max_constraint_distance, 0, 1e6, "m",
+       "Pairs of node and submap farther apart are not searched."},
+      {"min_score", &o->min_score, 0, 1, "",
+       "Mean probability that a match needs to become a constraint."},
+      {"global_localization_min_score", &o->global_localization_min_score, 0, 1, "",
+       "Likewise, for searches of a whole submap."},
+      {"loop_closure_translation_weight", &o->loop_closure_translation_weight, 0, kMaxWeight, "1/m",
+       "How stiff a loop closure is in position."},
+      {"loop_closure_rotation_weight", &o->loop_closure_rotation_weight, 0, kMaxWeight, "1/rad",
+       "How stiff a loop closure is in heading."},
+  };
+  Append("fast_correlative_scan_matcher.",
+         FastCorrelativeScanMatcherRows(&o->fast_correlative_scan_matcher), &rows);
+  Append("ceres_scan_matcher.", CeresScanMatcherRows(&o->ceres_scan_matcher), &rows);
+  return rows;
+}
+
+Rows OptimizationProblemRows(OptimizationProblemOptions* o) {
+  return {
+      {"huber_scale", &o->huber_scale, 1e-6, kMaxWeight, "",
+       "Weighted residual from which a loop closure pulls no harder (rho of eq. 4)."},
+      {"local_slam_pose_translation_weight", &o->local_slam_pose_translation_weight, 0, kMaxWeight,
+       "1/m", "How stiff local SLAM is between consecutive nodes in position."},
+      {"local_slam_pose_rotation_weight", &o->local_slam_pose_rotation_weight, 0, kMaxWeight,
+       "1/rad", "How stiff local SLAM is between consecutive nodes in heading."},
+      {"odometry_translation_weight", &o->odometry_translation_weight, 0, kMaxWeight, "1/m",
+       "How stiff odometry is between consecutive nodes in position."},
+      {"odometry_rotation_weight", &o->odometry_rotation_weight, 0, kMaxWeight, "1/rad",
+       "How stiff odometry is between consecutive nodes in heading."},
+      {"ceres_solver_options.use_nonmonotonic_steps", &o->use_nonmonotonic_steps, 0, 0, "",
+       "Whether the solver may take steps that raise the cost."},
+      {"ceres_solver_options.max_num_iterations", &o->max_num_iterations, 0, kMaxCount, "",
+       "An optimization on the way stops after so many iterations."},
+  };
+}
+
+Rows PoseGraphRows(PoseGraphOptions* o) {
+  Rows rows = {{"optimize_every_n_nodes", &o->optimize_every_n_nodes, 0, kMaxCount, "",
+                "All poses are optimized after so many new nodes; 0: never, and no loops."}};
+  Append("constraint_builder.", ConstraintBuilderRows(&o->constraint_builder), &rows);
+  Append("",
+         {{"matcher_translation_weight", &o->matcher_translation_weight, 0, kMaxWeight, "1/m",
+           "How stiff the place of a node in its own submaps is in position."},
+          {"matcher_rotation_weight", &o->matcher_rotation_weight, 0, kMaxWeight, "1/rad",
+           "How stiff the place of a node in its own submaps is in heading."}},
+         &rows);
+  Append("optimization_problem.", OptimizationProblemRows(&o->optimization_problem), &rows);
+  rows.push_back({"max_num_final_iterations", &o->max_num_final_iterations, 0, kMaxCount, "",
+                  "The final optimization stops after so many iterations."});
+  return rows;
+}
+
+}  // namespace
+
+std::vector<OptionRow> OptionTable(Options* options) {
+  Rows table = {{"use_odometry", &options->trajectory_builder_2d.use_odometry, 0, 0, "",
+                 "Whether odometry, where there is any, predicts the motion."}};
+  Append("TRAJECTORY_BUILDER_2D.", LocalSlamRows(&options->trajectory_builder_2d), &table);
+  Append("POSE_GRAPH.", PoseGraphRows(&options->pose_graph), &table);
+  return table;
+}
+
+}  // namespace loopscope

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/slam/option_values.h"
+
+#include <algorithm>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace loopscope {
+namespace {
+
+std::string ExpectedValue(const OptionRow& row) {
+  if (std::holds_alternative<bool*>(row.field)) return "true or false";
+  const char* kind = std::holds_alternative<int*>(row.field) ? "a whole number" : "a number";
+  const std::string unit = row.unit.empty() ? "" : " [" + row.unit + "]";
+  return fmt::format("{} from {} to {}{}", kind, row.minimum, row.maximum, unit);
+}
+
+OptionError BadValue(const OptionRow& row, const std::string& value) {
+  return OptionError(fmt::format("{} = {}: expected {}", row.key, value, ExpectedValue(row)));
+}
+
+std::optional<OptionValue> ParseValue(const std::string& text) {
+  if (text == "true" || text == "false") return text == "true";
+  double number = 0.0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc() || rest != end) return std::nullopt;
+  return number;
+}
+
+std::string Trim(const std::string& text) {
+  constexpr const char* kBlanks = " \t\r";
+  const size_t begin = text.find_first_not_of(kBlanks);
+  if (begin == std::string::npos) return "";
+  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+}
+
+// Number of letters to insert, drop or replace (Levenshtein 1966).
+int EditDistance(const std::string& a, const std::string& b) {
+  std::vector<int> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (size_t i = 0; i < a.size(); ++i) {
+    int diagonal = row[0]++;
+    for (size_t j = 0; j < b.size(); ++j) {
+      const int replaced = diagonal + (a[i] != b[j]);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
+}
+
+// `key` in two: the groups, and the name after the last dot.
+std::pair<std::string, std::string> SplitKey(const std::string& key) {
+  const size_t dot = key.rfind('.');
+  if (dot == std::string::npos) return {"", key};
+  return {key.substr(0, dot), key.substr(dot + 1)};
+}
+
+// Names weigh more than groups, which are left out or moved more often.
+int KeyDistance(const std::string& a, const std::string& b) {
+  constexpr int kNameWeight = 3;
+  const auto [a_groups, a_name] = SplitKey(a);
+  const auto [b_groups, b_name] = SplitKey(b);
+  return kNameWeight * EditDistance(a_name, b_name) + EditDistance(a_groups, b_groups);
+}
+
+}  // namespace
+
+OptionValue GetValue(const OptionRow& row) {
+  return std::visit(
+      [](const auto* field) -> OptionValue {
+        if constexpr (std::is_same_v<decltype(field), const bool*>) return *field;
+        return static_cast<double>(*field);
+      },
+      row.field);
+}
+
+void SetValue(const OptionValue& value, const OptionRow& row) {
+  const bool* const flag = std::get_if<bool>(&value);
+  if (bool* const* field = std::get_if<bool*>(&row.field)) {
+    if (!flag) throw BadValue(row, ToText(value));
+    **field = *flag;
+    return;
+  }
+  const double* const number = std::get_if<double>(&value);
+  // Written so that NaN is out of range.
+  if (!number || !(*number >= row.minimum && *number <= row.maximum)) {
+    throw BadValue(row, ToText(value));
+  }
+  if (int* const* field = std::get_if<int*>(&row.field)) {
+    if (*number != std::floor(*number)) throw BadValue(row, ToText(value));
+    **field = static_cast<int>(*number);
+  } else {
+    *std::get<double*>(row.field) = *number;
+  }
+}
+
+std::string ToText(const OptionValue& value) {
+  return std::visit([](auto v) { return fmt::format("{}", v); }, value);
+}
+
+void SetFromText(const std::string& key, const std::string& value, Options* options) {
+  std::vector<std::string> keys;
+  for (const OptionRow& row : OptionTable(options)) {
+    if (row.key == key) {
+      const std::optional<OptionValue> parsed = ParseValue(value);
+      if (!parsed) throw BadValue(row, "\"" + value + "\"");
+      return SetValue(*parsed, row);
+    }
+    keys.push_back(row.key);
+  }
+  throw OptionError(
+      fmt::format("unknown option \"{}\"; did you mean {}?", key, NearestKey(key, keys)));
+}
+
+void SetFromAssignment(const std::string& assignment, Options* options) {
+  const size_t equals = assignment.find('=');
+  if (equals == std::string::npos) {
+    throw OptionError(fmt::format("\"{}\": expected key=value", assignment));
+  }
+  SetFromText(Trim(assignment.substr(0, equals)), Trim(assignment.substr(equals + 1)), options);
+}
+
+std::string OptionsToText(const Options& options) {
+  Options copy = options;
+  std::string text;
+  for (const OptionRow& row : OptionTable(&copy)) {
+    text += fmt::format("{} = {}\n", row.key, ToText(GetValue(row)));
+  }
+  return text;
+}
+
+Options ParseOptions(const std::string& text, const Options& defaults) {
+  Options options = defaults;
+  std::istringstream lines(text);
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    line = Trim(line);
+    if (line.empty() || line[0] == '#') continue;
+    try {
+      SetFromAssignment(line, &options);
+    } catch (const OptionError& error) {
+      throw OptionError(fmt::format("{}: {}", number, error.what()));
+    }
+  }
+  return options;
+}
+
+std::string NearestKey(const std::string& key, const std::vector<std::string>& keys) {
+  assert(!keys.empty());
+  return *std::min_element(keys.begin(), keys.end(), [&](const auto& a, const auto& b) {
+    return KeyDistance(key, a) < KeyDistance(key, b);
+  });
+}
+
+}  // namespace loopscope
