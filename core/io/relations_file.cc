@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/io/relations_file.h"
 
+#include <iterator>
+
+#include <fmt/format.h>
+
 #include "core/io/number_rows.h"
+#include "core/io/replace_file.h"
 
 namespace loopscope {
 
@@ -12,6 +17,15 @@ std::vector<Relation> ReadRelations(const std::string& path) {
     relations.push_back({row[0], row[1], Pose2(row[2], row[3], NormalizeAngle(row[7]))});
   }
   return relations;
+}
+
+void WriteRelations(const std::string& path, const std::vector<Relation>& relations) {
+  std::string text;
+  for (const auto& [first_time, second_time, pose] : relations) {
+    fmt::format_to(std::back_inserter(text), "{:.6f} {:.6f} {:.6f} {:.6f} 0 0 0 {:.6f}\n",
+                   first_time, second_time, pose.x(), pose.y(), pose.rotation);
+  }
+  ReplaceFile(path, text);
 }
 
 }  // namespace loopscope

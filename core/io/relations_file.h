@@ -14,4 +14,7 @@ namespace loopscope {
 /// none.
 std::vector<Relation> ReadRelations(const std::string& path);
 
+/// Writes one `t1 t2 x y z roll pitch yaw` line a relation, z, roll and pitch 0. Throws FileError.
+void WriteRelations(const std::string& path, const std::vector<Relation>& relations);
+
 }  // namespace loopscope

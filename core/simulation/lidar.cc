@@ -9,12 +9,12 @@
 namespace loopscope {
 
 std::vector<float> SimulateScan(const RayCaster& ray_caster, const Pose2& world_from_laser,
-                                const LidarOptions& options, Random& random) {
+                                const LidarOptions& options, Random* random) {
   std::vector<float> ranges(options.beams.num_beams, std::numeric_limits<float>::infinity());
   for (int beam = 0; beam < options.beams.num_beams; ++beam) {
     // Drawn for every beam, so that one wall more does not change the noise of all later beams.
-    const bool dropped = random.Uniform() < options.dropout_probability;
-    const double noise = random.Gaussian(options.range_noise);
+    const bool dropped = random->Uniform() < options.dropout_probability;
+    const double noise = random->Gaussian(options.range_noise);
     const auto distance = ray_caster.Distance(world_from_laser.translation,
                                               world_from_laser.rotation + options.beams.Angle(beam),
                                               options.max_range);

@@ -21,6 +21,6 @@ struct LidarOptions {
 
 /// The readings of one revolution taken from `world_from_laser`, in an instant.
 std::vector<float> SimulateScan(const RayCaster& ray_caster, const Pose2& world_from_laser,
-                                const LidarOptions& options, Random& random);
+                                const LidarOptions& options, Random* random);
 
 }  // namespace loopscope

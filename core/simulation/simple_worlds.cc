@@ -7,28 +7,28 @@ namespace loopscope {
 namespace {
 
 // One room of the hotel, with its door at y = 0 and its bed and wardrobe.
-void AddHotelRoom(const Pose2& world_from_room, FloorPlan& plan) {
-  plan.AddBox(world_from_room * Pose2(2.9, 2.6, 0.0), {2.0, 1.6});
-  plan.AddBox(world_from_room * Pose2(0.4, 3.0, 0.0), {0.6, 1.2});
+void AddHotelRoom(const Pose2& world_from_room, FloorPlan* plan) {
+  plan->AddBox(world_from_room * Pose2(2.9, 2.6, 0.0), {2.0, 1.6});
+  plan->AddBox(world_from_room * Pose2(0.4, 3.0, 0.0), {0.6, 1.2});
 }
 
 // `num_rooms` rooms of 4 m x 4.5 m along a wall that begins at `world_from_wall`.
-void AddHotelRow(const Pose2& world_from_wall, int num_rooms, FloorPlan& plan) {
+void AddHotelRow(const Pose2& world_from_wall, int num_rooms, FloorPlan* plan) {
   constexpr double kRoomWidth = 4.0;
   constexpr double kRoomDepth = 4.5;
   std::vector<Door> doors;
   for (int i = 0; i <= num_rooms; ++i) {
     const double x = i * kRoomWidth;
-    plan.AddWall(world_from_wall * Eigen::Vector2d(x, 0.0),
-                 world_from_wall * Eigen::Vector2d(x, kRoomDepth));
+    plan->AddWall(world_from_wall * Eigen::Vector2d(x, 0.0),
+                  world_from_wall * Eigen::Vector2d(x, kRoomDepth));
     if (i == num_rooms) break;
     doors.push_back({x + 1.0, 0.9});
     AddHotelRoom(world_from_wall * Pose2(x, 0.0, 0.0), plan);
   }
   const double length = num_rooms * kRoomWidth;
-  plan.AddWall(world_from_wall.translation, world_from_wall * Eigen::Vector2d(length, 0.0), doors);
-  plan.AddWall(world_from_wall * Eigen::Vector2d(0.0, kRoomDepth),
-               world_from_wall * Eigen::Vector2d(length, kRoomDepth));
+  plan->AddWall(world_from_wall.translation, world_from_wall * Eigen::Vector2d(length, 0.0), doors);
+  plan->AddWall(world_from_wall * Eigen::Vector2d(0.0, kRoomDepth),
+                world_from_wall * Eigen::Vector2d(length, kRoomDepth));
 }
 
 }  // namespace
@@ -92,9 +92,9 @@ World HotelWorld() {
   world.description = "ring of corridors, 36 m x 24 m, with rooms that are all alike: ambiguous";
   FloorPlan& plan = world.plan;
   // Three sides of rooms, the fourth a plain wall; the core is closed.
-  AddHotelRow(Pose2(40.5, 4.5, DegreesToRadians(180.0)), 9, plan);
-  AddHotelRow(Pose2(4.5, 28.5, 0.0), 9, plan);
-  AddHotelRow(Pose2(4.5, 4.5, DegreesToRadians(90.0)), 6, plan);
+  AddHotelRow(Pose2(40.5, 4.5, DegreesToRadians(180.0)), 9, &plan);
+  AddHotelRow(Pose2(4.5, 28.5, 0.0), 9, &plan);
+  AddHotelRow(Pose2(4.5, 4.5, DegreesToRadians(90.0)), 6, &plan);
   plan.AddWall({40.5, 4.5}, {40.5, 28.5});
   plan.AddRoom({6.5, 6.5}, {38.5, 26.5});
   world.route = {{8.0, 5.5}, {39.5, 5.5}, {39.5, 27.5}, {5.5, 27.5},

@@ -48,14 +48,14 @@ Simulation Simulate(const World& world, const SimulationOptions& options) {
   for (TimedPose& pose : simulation.ground_truth) {
     pose.time += options.start_time;
     const Pose2& world_from_base = pose.map_from_base;
-    odometry.Move(world_from_old.Inverse() * world_from_base, odometry_random);
+    odometry.Move(world_from_old.Inverse() * world_from_base, &odometry_random);
     world_from_old = world_from_base;
     log.odometry.push_back({pose.time, odometry.odom_from_base()});
     const int num_readings = static_cast<int>(log.odometry.size());
     if ((num_readings - 1) % options.odometry_readings_per_scan != 0) continue;
     log.scans.push_back({pose.time, 0,
                          SimulateScan(ray_caster, world_from_base * log.base_from_laser,
-                                      options.lidar, lidar_random),
+                                      options.lidar, &lidar_random),
                          num_readings});
   }
   return simulation;

@@ -6,13 +6,13 @@
 
 namespace loopscope {
 
-void WheelOdometry::Move(const Pose2& old_from_new, Random& random) {
+void WheelOdometry::Move(const Pose2& old_from_new, Random* random) {
   const double distance = old_from_new.translation.norm();
   const double turn = old_from_new.rotation;
-  const double distance_error = random.Gaussian(options_.distance_noise * std::sqrt(distance));
+  const double distance_error = random->Gaussian(options_.distance_noise * std::sqrt(distance));
   const double turn_error =
-      random.Gaussian(options_.turn_noise * std::sqrt(distance)) +
-      random.Gaussian(options_.turn_noise_of_turn * std::sqrt(std::abs(turn)));
+      random->Gaussian(options_.turn_noise * std::sqrt(distance)) +
+      random->Gaussian(options_.turn_noise_of_turn * std::sqrt(std::abs(turn)));
   const double scale = distance > 0.0 ? options_.distance_scale + distance_error / distance : 0.0;
   const Pose2 measured(
       scale * old_from_new.translation,

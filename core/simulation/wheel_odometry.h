@@ -23,7 +23,7 @@ class WheelOdometry {
   explicit WheelOdometry(const WheelOdometryOptions& options) : options_(options) {}
 
   /// Reports the motion of the robot from its old to its new pose.
-  void Move(const Pose2& old_from_new, Random& random);
+  void Move(const Pose2& old_from_new, Random* random);
 
   /// Begins at the identity.
   const Pose2& odom_from_base() const { return odom_from_base_; }

@@ -28,11 +28,11 @@ TEST(SimulateScan, MeasuresFromTheScannerAlongItsBeams) {
   options.beams = {3, DegreesToRadians(-90.0), DegreesToRadians(90.0)};
   Random random(1);
   const RayCaster ray_caster(Square());
-  const auto ranges = SimulateScan(ray_caster, Pose2(1.0, 0.5, 0.0), options, random);
+  const auto ranges = SimulateScan(ray_caster, Pose2(1.0, 0.5, 0.0), options, &random);
   EXPECT_EQ(ranges, (std::vector<float>{2.5f, 1.0f, 1.5f}));
   // Turned to the left by a quarter.
   const auto turned =
-      SimulateScan(ray_caster, Pose2(1.0, 0.5, DegreesToRadians(90.0)), options, random);
+      SimulateScan(ray_caster, Pose2(1.0, 0.5, DegreesToRadians(90.0)), options, &random);
   EXPECT_EQ(turned, (std::vector<float>{1.0f, 1.5f, 3.0f}));
 }
 
@@ -41,7 +41,7 @@ TEST(SimulateScan, HasNoReturnBeyondItsRange) {
   options.beams = {2, 0.0, DegreesToRadians(45.0)};
   options.max_range = 2.1;
   Random random(1);
-  const auto ranges = SimulateScan(RayCaster(Square()), Pose2(), options, random);
+  const auto ranges = SimulateScan(RayCaster(Square()), Pose2(), options, &random);
   EXPECT_EQ(ranges, (std::vector<float>{2.0f, INFINITY}));
 }
 
@@ -51,7 +51,7 @@ TEST(SimulateScan, HasTheNoiseAndTheDropoutsThatWereAskedFor) {
   options.range_noise = 0.05;
   options.dropout_probability = 0.1;
   Random random(2);
-  const auto ranges = SimulateScan(RayCaster(Square()), Pose2(), options, random);
+  const auto ranges = SimulateScan(RayCaster(Square()), Pose2(), options, &random);
   int num_returns = 0;
   double sum = 0.0, sum_of_squares = 0.0;
   for (const float range : ranges) {
@@ -70,7 +70,7 @@ TEST(SimulateScan, ReadsInSteps) {
   options.range_noise = 0.5;
   options.range_step = 0.25;
   Random random(2);
-  for (const float range : SimulateScan(RayCaster(Square()), Pose2(), options, random)) {
+  for (const float range : SimulateScan(RayCaster(Square()), Pose2(), options, &random)) {
     EXPECT_EQ(range, std::round(range / 0.25f) * 0.25f);
     EXPECT_GT(range, 0.0f);
   }

@@ -17,7 +17,7 @@ TEST(WheelOdometry, FollowsTheRobotExactlyWithoutFaults) {
   Pose2 odom_from_base;
   for (int i = 0; i < 100; ++i) {
     const Pose2 step(0.1, 0.001 * i, 0.02);
-    odometry.Move(step, random);
+    odometry.Move(step, &random);
     odom_from_base = odom_from_base * step;
   }
   EXPECT_LT((odometry.odom_from_base().translation - odom_from_base.translation).norm(), 1e-9);
@@ -27,7 +27,7 @@ TEST(WheelOdometry, FollowsTheRobotExactlyWithoutFaults) {
 TEST(WheelOdometry, StandsStillWithTheRobot) {
   Random random(1);
   WheelOdometry odometry{WheelOdometryOptions()};
-  odometry.Move(Pose2(), random);
+  odometry.Move(Pose2(), &random);
   EXPECT_EQ(odometry.odom_from_base(), Pose2());
 }
 
@@ -36,14 +36,14 @@ TEST(WheelOdometry, BiasesAddUp) {
   WheelOdometryOptions options = kPerfect;
   options.distance_scale = 1.1;
   WheelOdometry stretched(options);
-  for (int i = 0; i < 100; ++i) stretched.Move(Pose2(0.1, 0.0, 0.0), random);
+  for (int i = 0; i < 100; ++i) stretched.Move(Pose2(0.1, 0.0, 0.0), &random);
   EXPECT_NEAR(stretched.odom_from_base().x(), 11.0, 1e-9);
 
   options = kPerfect;
   options.turn_scale = 1.05;
   options.turn_per_meter = 0.01;
   WheelOdometry turned(options);
-  for (int i = 0; i < 100; ++i) turned.Move(Pose2(0.1, 0.0, 0.01), random);
+  for (int i = 0; i < 100; ++i) turned.Move(Pose2(0.1, 0.0, 0.01), &random);
   EXPECT_NEAR(turned.odom_from_base().rotation, 1.05 + 0.1, 1e-9);
 }
 
@@ -55,7 +55,7 @@ double SpreadOfHeading(const WheelOdometryOptions& options, int num_steps) {
   for (int drive = 0; drive < kNumDrives; ++drive) {
     WheelOdometry odometry(options);
     for (int i = 0; i < num_steps; ++i) {
-      odometry.Move(Pose2(4.0 / num_steps, 0.0, 1.0 / num_steps), random);
+      odometry.Move(Pose2(4.0 / num_steps, 0.0, 1.0 / num_steps), &random);
     }
     sum_of_squares += std::pow(odometry.odom_from_base().rotation - 1.0, 2);
   }

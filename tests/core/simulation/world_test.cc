@@ -80,7 +80,7 @@ TEST(Furnish, StaysInsideTheRoom) {
   for (const RoomUse use : {RoomUse::kOffice, RoomUse::kMeeting, RoomUse::kStorage}) {
     Random random(1);
     FloorPlan plan;
-    Furnish(use, world_from_room, size, random, plan);
+    Furnish(use, world_from_room, size, &random, &plan);
     EXPECT_GT(plan.segments().size(), 10u);
     for (const Segment& segment : plan.segments()) {
       const Eigen::Vector2d corner = world_from_room.Inverse() * segment.from;
@@ -94,7 +94,7 @@ TEST(Furnish, StaysInsideTheRoom) {
 TEST(Furnish, LeavesAnEmptyRoomEmpty) {
   Random random(1);
   FloorPlan plan;
-  Furnish(RoomUse::kEmpty, Pose2(), {4.0, 4.0}, random, plan);
+  Furnish(RoomUse::kEmpty, Pose2(), {4.0, 4.0}, &random, &plan);
   EXPECT_TRUE(plan.segments().empty());
 }
 
