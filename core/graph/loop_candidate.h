@@ -12,6 +12,7 @@ enum class Verdict {
   kTooFar,      ///< farther apart than max_constraint_distance; not stored, follows from the state
   kNotSampled,  ///< skipped by sampling_ratio
   kBelowMinScore,  ///< no pose of the window scored min_score
+  kInconsistent,   ///< too few other loops agree with it
   kAccepted,       ///< INTER_SUBMAP constraint
 };
 
@@ -19,15 +20,19 @@ enum class Verdict {
 struct LoopCandidate {
   SubmapId submap;
   NodeId node;
-  int considered_step = 0;       ///< the scan after which it came up
-  int applied_step = 0;          ///< the scan after which the result entered the graph
-  bool whole_submap = false;     ///< searched everywhere in the submap instead of in the window
-  Pose2 submap_from_node_guess;  ///< from the poses then; not set if not sampled
+  int considered_step = 0;    ///< the scan after which it came up
+  int applied_step = 0;       ///< the scan after which the result entered the graph
+  bool whole_submap = false;  ///< searched everywhere in the submap instead of in the window
+  double linear_search_window = 0.0;   ///< W_x = W_y [m]
+  double angular_search_window = 0.0;  ///< W_theta [rad]
+  Pose2 submap_from_node_guess;        ///< from the poses then; not set if not sampled
   Verdict verdict = Verdict::kNotSampled;
   /// Of the winner, or the best that was found below min_score; in [0.1, 0.9]. 0 if not searched.
   double score = 0.0;
   /// No pose in the window scores more. 0 if not searched.
   double score_bound = 0.0;
+  double min_score = 0.0;           ///< what the score had to beat
+  int num_supporters = 0;           ///< nodes with loops that agree, see LoopConsistencyOptions
   Pose2 submap_from_node_searched;  ///< where the search found `score`
   Pose2 submap_from_node;           ///< refined by (CS): the constraint, if accepted
 };

@@ -11,9 +11,9 @@ namespace loopscope {
 struct LoopSearch::SearchedSubmap {
   explicit SearchedSubmap(ProbabilityGrid submap_grid) : grid(std::move(submap_grid)) {}
 
-  const BranchAndBoundMatcher& Matcher(const BranchAndBoundOptions& options) {
+  const BranchAndBoundMatcher& Matcher(int depth) {
     std::call_once(matcher_made,
-                   [&] { matcher = std::make_unique<BranchAndBoundMatcher>(grid, options); });
+                   [&] { matcher = std::make_unique<BranchAndBoundMatcher>(grid, depth); });
     return *matcher;
   }
 
@@ -26,13 +26,14 @@ struct LoopSearch::SearchedSubmap {
 
 LoopCandidate SearchLoop(const LoopCandidate& candidate, const PointCloud& points_in_node,
                          const ProbabilityGrid& grid, const BranchAndBoundMatcher& matcher,
-                         const ConstraintBuilderOptions& options, SearchTrace* trace) {
+                         const CeresScanMatcherOptions& options, SearchTrace* trace) {
   LoopCandidate result = candidate;
   const SearchOutcome outcome =
       candidate.whole_submap
-          ? matcher.SearchWholeSubmap(points_in_node, options.global_localization_min_score, trace)
-          : matcher.Search(points_in_node, candidate.submap_from_node_guess, options.min_score,
-                           trace);
+          ? matcher.SearchWholeSubmap(points_in_node, candidate.min_score, trace)
+          : matcher.Search(points_in_node, candidate.submap_from_node_guess,
+                           candidate.linear_search_window, candidate.angular_search_window,
+                           candidate.min_score, trace);
   result.score = outcome.best_found.score;
   result.score_bound = outcome.score_bound;
   result.submap_from_node_searched = outcome.best_found.submap_from_scan;
@@ -42,7 +43,7 @@ LoopCandidate SearchLoop(const LoopCandidate& candidate, const PointCloud& point
   result.verdict = Verdict::kAccepted;
   result.submap_from_node =
       MatchWithCeres(points_in_node, grid, result.submap_from_node_searched.translation,
-                     result.submap_from_node_searched, options.ceres_scan_matcher)
+                     result.submap_from_node_searched, options)
           .submap_from_scan;
   return result;
 }
@@ -76,8 +77,10 @@ void LoopSearch::Consider(const LoopCandidate& candidate,
     return;
   }
   pool_.Add([this, submap, result, points = std::move(points_in_node)] {
-    *result = SearchLoop(*result, *points, submap->grid,
-                         submap->Matcher(options_.fast_correlative_scan_matcher), options_);
+    *result =
+        SearchLoop(*result, *points, submap->grid,
+                   submap->Matcher(options_.fast_correlative_scan_matcher.branch_and_bound_depth),
+                   options_.ceres_scan_matcher);
   });
 }
 

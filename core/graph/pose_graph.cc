@@ -4,20 +4,15 @@
 
 #include <utility>
 
-namespace loopscope {
+#include "core/graph/loop_gate.h"
 
-Pose2 GlobalFromLocal(const std::vector<Pose2>& optimized_global_from_submap,
-                      const std::vector<Pose2>& local_from_submap) {
-  if (optimized_global_from_submap.empty()) return Pose2();
-  const std::size_t last = optimized_global_from_submap.size() - 1;
-  return optimized_global_from_submap[last] * local_from_submap[last].Inverse();
-}
+namespace loopscope {
 
 PoseGraph::PoseGraph(const PoseGraphOptions& options, int num_threads)
     : options_(options), loop_search_(options.constraint_builder, num_threads) {}
 
 void PoseGraph::AddSubmap(const Pose2& local_from_submap) {
-  local_from_submap_.push_back(local_from_submap);
+  submaps_.push_back({local_from_submap, NodeId{static_cast<int>(nodes_.size())}, {}, 0.0});
   global_from_submap_.push_back(global_from_local_ * local_from_submap);
 }
 
@@ -25,16 +20,33 @@ void PoseGraph::AddNode(const NodeData& node, int step) {
   const NodeId id{static_cast<int>(nodes_.size())};
   nodes_.push_back(node);
   global_from_node_.push_back(global_from_local_ * node.local_from_node);
+  AddWayTo(id);
   for (int i = 0; i < node.num_submaps; ++i) {
     const SubmapId submap{node.first_submap.index + i};
-    constraints_.push_back({submap, id,
-                            local_from_submap_[submap.index].Inverse() * node.local_from_node,
-                            options_.matcher_translation_weight, options_.matcher_rotation_weight,
-                            Constraint::Tag::kIntraSubmap});
+    SubmapData& data = submaps_[submap.index];
+    const Pose2 submap_from_node = data.local_from_submap.Inverse() * node.local_from_node;
+    data.node_box.extend(submap_from_node.translation);
+    constraints_.push_back({submap, id, submap_from_node, options_.matcher_translation_weight,
+                            options_.matcher_rotation_weight, Constraint::Tag::kIntraSubmap});
   }
   AddConsecutive(id);
   ++num_nodes_since_optimization_;
-  for (const SubmapId submap : finished_submaps_) Consider(submap, id, step);
+  const std::vector<double> ways = travel_graph_.WaysFrom(node.first_submap);
+  for (const SubmapId submap : finished_submaps_) Consider(submap, id, ways[submap.index], step);
+}
+
+void PoseGraph::AddWayTo(NodeId id) {
+  const double way = id.index == 0
+                         ? 0.0
+                         : node_ways_.back() + (nodes_[id.index].local_from_node.translation -
+                                                nodes_[id.index - 1].local_from_node.translation)
+                                                   .norm();
+  node_ways_.push_back(way);
+  if (submaps_.back().first_node != id) return;
+  const std::size_t num_submaps = submaps_.size();
+  const double way_before =
+      num_submaps < 2 ? 0.0 : node_ways_[submaps_[num_submaps - 2].first_node.index];
+  travel_graph_.AddSubmap(way - way_before);
 }
 
 void PoseGraph::AddConsecutive(NodeId id) {
@@ -56,23 +68,46 @@ void PoseGraph::AddConsecutive(NodeId id) {
 }
 
 void PoseGraph::FinishSubmap(SubmapId id, ProbabilityGrid grid, int step) {
+  submaps_[id.index].min_loop_score = MinLoopScoreOf(id, grid);
   loop_search_.AddSubmap(id, std::move(grid));
   finished_submaps_.push_back(id);
-  for (int i = 0; i < static_cast<int>(nodes_.size()); ++i) Consider(id, NodeId{i}, step);
+  const std::vector<double> ways = travel_graph_.WaysFrom(id);
+  for (int i = 0; i < static_cast<int>(nodes_.size()); ++i) {
+    Consider(id, NodeId{i}, ways[nodes_[i].first_submap.index], step);
+  }
 }
 
-void PoseGraph::Consider(SubmapId submap, NodeId node, int step) {
+double PoseGraph::MinLoopScoreOf(SubmapId id, const ProbabilityGrid& grid) const {
+  const Pose2 submap_from_local = submaps_[id.index].local_from_submap.Inverse();
+  std::vector<PlacedScan> own_nodes;
+  for (const NodeData& node : nodes_) {
+    if (!LiesIn(node, id)) continue;
+    own_nodes.push_back({node.points.get(), submap_from_local * node.local_from_node});
+  }
+  return MinLoopScore(own_nodes, grid, options_.constraint_builder);
+}
+
+bool PoseGraph::LiesIn(const NodeData& node, SubmapId submap) {
+  return node.first_submap.index <= submap.index &&
+         submap.index < node.first_submap.index + node.num_submaps;
+}
+
+void PoseGraph::Consider(SubmapId submap, NodeId node, double way, int step) {
   const NodeData& data = nodes_[node.index];
-  const bool lies_in_it = data.first_submap.index <= submap.index &&
-                          submap.index < data.first_submap.index + data.num_submaps;
-  if (lies_in_it || options_.optimize_every_n_nodes == 0) return;
-  const Pose2 guess = global_from_submap_[submap.index].Inverse() * global_from_node_[node.index];
-  if (guess.translation.norm() > options_.constraint_builder.max_constraint_distance) return;
+  if (options_.optimize_every_n_nodes == 0 || data.points->empty() || LiesIn(data, submap)) return;
   LoopCandidate candidate;
+  candidate.submap_from_node_guess =
+      global_from_submap_[submap.index].Inverse() * global_from_node_[node.index];
+  const LoopGate gate =
+      EvaluateLoopGate(candidate.submap_from_node_guess, submaps_[submap.index].node_box, way,
+                       options_.constraint_builder);
+  if (!gate.is_near) return;
   candidate.submap = submap;
   candidate.node = node;
   candidate.considered_step = step;
-  candidate.submap_from_node_guess = guess;
+  candidate.linear_search_window = gate.linear_window;
+  candidate.angular_search_window = gate.angular_window;
+  candidate.min_score = submaps_[submap.index].min_loop_score;
   loop_search_.Consider(candidate, data.points);
 }
 
@@ -83,13 +118,39 @@ bool PoseGraph::OptimizationIsDue() const {
 
 std::vector<LoopCandidate> PoseGraph::CollectLoops(int step) {
   std::vector<LoopCandidate> candidates = loop_search_.Collect();
+  RejectInconsistent(&candidates);
   for (LoopCandidate& candidate : candidates) {
     candidate.applied_step = step;
-    if (candidate.verdict == Verdict::kAccepted) {
-      constraints_.push_back(ToConstraint(candidate, options_.constraint_builder));
-    }
+    if (candidate.verdict != Verdict::kAccepted) continue;
+    loop_drifts_.push_back(DriftOf(candidate));
+    constraints_.push_back(ToConstraint(candidate, options_.constraint_builder));
+    travel_graph_.AddLoop(candidate.submap, nodes_[candidate.node.index].first_submap);
   }
   return candidates;
+}
+
+void PoseGraph::RejectInconsistent(std::vector<LoopCandidate>* candidates) const {
+  const LoopConsistencyOptions& options = options_.constraint_builder.consistency;
+  if (options.min_num_supporters == 0) return;
+  std::vector<LoopDrift> drifts = loop_drifts_;
+  for (const LoopCandidate& candidate : *candidates) {
+    if (candidate.verdict == Verdict::kAccepted) drifts.push_back(DriftOf(candidate));
+  }
+  for (LoopCandidate& candidate : *candidates) {
+    if (candidate.verdict != Verdict::kAccepted) continue;
+    candidate.num_supporters = NumSupporters(DriftOf(candidate), drifts, options);
+    if (candidate.num_supporters < options.min_num_supporters) {
+      candidate.verdict = Verdict::kInconsistent;
+    }
+  }
+}
+
+LoopDrift PoseGraph::DriftOf(const LoopCandidate& candidate) const {
+  const NodeData& node = nodes_[candidate.node.index];
+  const SubmapData& submap = submaps_[candidate.submap.index];
+  return {candidate.node, node.local_from_node,
+          submap.local_from_submap * candidate.submap_from_node * node.local_from_node.Inverse(),
+          node_ways_[candidate.node.index], node_ways_[submap.first_node.index]};
 }
 
 GraphSolution PoseGraph::Optimize(int max_num_iterations) {
@@ -98,7 +159,7 @@ GraphSolution PoseGraph::Optimize(int max_num_iterations) {
                  options_.optimization_problem, max_num_iterations);
   global_from_submap_ = solution.global_from_submap;
   global_from_node_ = solution.global_from_node;
-  global_from_local_ = GlobalFromLocal(global_from_submap_, local_from_submap_);
+  global_from_local_ = global_from_submap_.back() * submaps_.back().local_from_submap.Inverse();
   num_nodes_since_optimization_ = 0;
   return solution;
 }

@@ -6,15 +6,13 @@
 #include <optional>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "core/graph/graph_solver.h"
 #include "core/graph/loop_search.h"
+#include "core/graph/travel_graph.h"
 
 namespace loopscope {
-
-/// Pose of the local frame in the global frame as the last of the optimized submaps has it; the
-/// identity if there is none.
-Pose2 GlobalFromLocal(const std::vector<Pose2>& optimized_global_from_submap,
-                      const std::vector<Pose2>& local_from_submap);
 
 /// Nodes, submaps and what is known between them: finds loops in the background, and optimizes.
 class PoseGraph {
@@ -29,6 +27,7 @@ class PoseGraph {
     std::shared_ptr<const PointCloud> points;  ///< for loop searches, in the frame of the node
   };
 
+  /// Adds the submap that the next node begins.
   void AddSubmap(const Pose2& local_from_submap);
 
   /// Adds a node with its INTRA_SUBMAP constraints, and considers it for loops with all finished
@@ -49,15 +48,32 @@ class PoseGraph {
   GraphSolution Optimize(int max_num_iterations);
 
  private:
+  /// Adds the way from the node before to the travel graph.
+  void AddWayTo(NodeId id);
   /// Local SLAM and odometry between the node and the one before it.
   void AddConsecutive(NodeId id);
-  /// Sets off a loop search for the pair if it is near enough.
-  void Consider(SubmapId submap, NodeId node, int step);
+  double MinLoopScoreOf(SubmapId id, const ProbabilityGrid& grid) const;
+  static bool LiesIn(const NodeData& node, SubmapId submap);
+  /// Turns the verdict on accepted candidates that too few others agree with.
+  void RejectInconsistent(std::vector<LoopCandidate>* candidates) const;
+  LoopDrift DriftOf(const LoopCandidate& candidate) const;
+  /// Sets off a loop search for the pair if it is near enough; `way` [m] from TravelGraph.
+  void Consider(SubmapId submap, NodeId node, double way, int step);
 
   PoseGraphOptions options_;
+  struct SubmapData {
+    Pose2 local_from_submap;
+    NodeId first_node;
+    Eigen::AlignedBox2d node_box;  ///< around its nodes, in its frame
+    double min_loop_score = 0.0;   ///< once it is finished
+  };
+
   std::vector<NodeData> nodes_;
-  std::vector<Pose2> local_from_submap_;
+  std::vector<SubmapData> submaps_;
   std::vector<SubmapId> finished_submaps_;
+  std::vector<double> node_ways_;       ///< [m] that the robot had gone at each node
+  std::vector<LoopDrift> loop_drifts_;  ///< of the loops that were accepted
+  TravelGraph travel_graph_;
   std::vector<Pose2> global_from_submap_;
   std::vector<Pose2> global_from_node_;
   Pose2 global_from_local_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/graph/loop_consistency.h"
 #include "core/matching/branch_and_bound.h"
 #include "core/matching/ceres_scan_matcher.h"
 
@@ -9,12 +10,22 @@ namespace loopscope {
 
 /// POSE_GRAPH.constraint_builder.
 struct ConstraintBuilderOptions {
-  double sampling_ratio = 0.3;            ///< share of the near pairs that are searched
-  double max_constraint_distance = 15.0;  ///< [m] between node and submap origin
+  double sampling_ratio = 0.3;  ///< share of the near pairs that are searched
+  /// [m] between the node and the box around the nodes of the submap; on top of the search window.
+  double max_constraint_distance = 15.0;
   double min_score = 0.55;
+  /// A share of the score that the submap's own nodes have in it, which the score must reach too;
+  /// not in Cartographer. It fits sparse logs, whose cells are seen too rarely to become certain.
+  double min_relative_score = 0.0;
+  /// Growth of the linear search window for a metre of the way that the robot went, over known
+  /// loops, from the submap to the node [m/m], and of the angular one [rad/m]; not in Cartographer.
+  double linear_search_window_per_meter = 0.0;
+  double angular_search_window_per_meter = 0.0;
+  double max_linear_search_window = 30.0;      ///< [m] where growth ends
   double global_localization_min_score = 0.6;  ///< for searches of the whole submap
   double loop_closure_translation_weight = 1.1e4;
   double loop_closure_rotation_weight = 1e5;
+  LoopConsistencyOptions consistency;
   BranchAndBoundOptions fast_correlative_scan_matcher;
   CeresScanMatcherOptions ceres_scan_matcher{20.0, 10.0, 1.0, 10};
 };

@@ -6,6 +6,12 @@
 #include "core/local/scan_preparation.h"
 
 namespace loopscope {
+namespace {
+
+/// The expected score forgets within some fifty scans.
+constexpr double kExpectedScoreGain = 0.05;
+
+}  // namespace
 
 LocalSlam::LocalSlam(const ScanLog& log, const LocalSlamOptions& options)
     : log_(log),
@@ -33,15 +39,17 @@ LocalSlamResult LocalSlam::AddScan(int scan) {
   return result;
 }
 
-void LocalSlam::Match(LocalSlamResult* result) const {
+void LocalSlam::Match(LocalSlamResult* result) {
   const ActiveSubmap* submap = active_submaps_.MatchingSubmap();
   if (submap == nullptr) return;
   const PointCloud points =
       AdaptiveVoxelFilter(result->range_data.returns, options_.adaptive_voxel_filter);
   if (points.empty()) return;
   const Pose2& local_from_submap = submap->local_from_submap;
-  const ScanMatch match = MatchScan(
-      points, submap->grid, local_from_submap.Inverse() * result->local_from_base_prior, options_);
+  const ScanMatch match =
+      MatchScan(points, submap->grid, local_from_submap.Inverse() * result->local_from_base_prior,
+                expected_score_, options_);
+  expected_score_ += kExpectedScoreGain * (match.score - expected_score_);
   if (match.submap_from_base_correlative) {
     result->local_from_base_correlative = local_from_submap * *match.submap_from_base_correlative;
   }

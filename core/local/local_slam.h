@@ -33,13 +33,14 @@ class LocalSlam {
   LocalSlamResult AddScan(int scan);
 
  private:
-  void Match(LocalSlamResult* result) const;
+  void Match(LocalSlamResult* result);
 
   const ScanLog& log_;
   LocalSlamOptions options_;
   PoseExtrapolator extrapolator_;
   MotionFilter motion_filter_;
   ActiveSubmaps active_submaps_;
+  double expected_score_ = 0.0;  ///< of a match: running average of those before
 };
 
 }  // namespace loopscope

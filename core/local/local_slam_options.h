@@ -11,11 +11,13 @@
 
 namespace loopscope {
 
-/// TRAJECTORY_BUILDER_2D.recovery, not in Cartographer: a wide search in the active submap for a scan
-/// that matches badly, as after a jump of odometry.
+/// TRAJECTORY_BUILDER_2D.recovery, not in Cartographer: a wide search in the active submap for a
+/// scan that matches badly, as after a jump of odometry.
 struct RecoveryOptions {
-  double min_score = 0.0;  ///< search if the mean probability at the points is below; 0: never
-  double min_gain = 0.1;   ///< take what was found if its mean probability is higher by this much
+  /// Search if the mean probability at the points is below this share of what the scans before had
+  /// on average; 0: never.
+  double min_relative_score = 0.0;
+  double min_gain = 0.1;  ///< take what was found if its mean probability is higher by this much
   double linear_search_window = 1.0;                      ///< [m]
   double angular_search_window = DegreesToRadians(90.0);  ///< [rad]
 };

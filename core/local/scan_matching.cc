@@ -24,6 +24,7 @@ ScanMatch MatchNear(const PointCloud& points_in_base, const ProbabilityGrid& gri
   match.submap_from_base = MatchWithCeres(points_in_base, grid, submap_from_base_prior.translation,
                                           start, options.ceres_scan_matcher)
                                .submap_from_scan;
+  match.score = MeanProbability(points_in_base, match.submap_from_base, grid);
   return match;
 }
 
@@ -31,26 +32,30 @@ ScanMatch MatchNear(const PointCloud& points_in_base, const ProbabilityGrid& gri
 std::optional<ScanMatch> Recover(const PointCloud& points_in_base, const ProbabilityGrid& grid,
                                  const Pose2& submap_from_base_prior, double min_score,
                                  const LocalSlamOptions& options) {
-  const BranchAndBoundMatcher matcher(
-      grid, {options.recovery.linear_search_window, options.recovery.angular_search_window,
-             kRecoveryDepth});
-  const SearchOutcome outcome = matcher.Search(points_in_base, submap_from_base_prior, min_score);
+  const BranchAndBoundMatcher matcher(grid, kRecoveryDepth);
+  const SearchOutcome outcome =
+      matcher.Search(points_in_base, submap_from_base_prior, options.recovery.linear_search_window,
+                     options.recovery.angular_search_window, min_score);
   if (!outcome.winner) return std::nullopt;
   const Pose2& found = outcome.winner->submap_from_scan;
-  return ScanMatch{found, MatchWithCeres(points_in_base, grid, found.translation, found,
-                                         options.ceres_scan_matcher)
-                              .submap_from_scan};
+  ScanMatch match{
+      found,
+      MatchWithCeres(points_in_base, grid, found.translation, found, options.ceres_scan_matcher)
+          .submap_from_scan,
+      0.0};
+  match.score = MeanProbability(points_in_base, match.submap_from_base, grid);
+  return match;
 }
 
 }  // namespace
 
 ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& grid,
-                    const Pose2& submap_from_base_prior, const LocalSlamOptions& options) {
+                    const Pose2& submap_from_base_prior, double expected_score,
+                    const LocalSlamOptions& options) {
   const ScanMatch near = MatchNear(points_in_base, grid, submap_from_base_prior, options);
-  const double score = MeanProbability(points_in_base, near.submap_from_base, grid);
-  if (score >= options.recovery.min_score) return near;
-  return Recover(points_in_base, grid, submap_from_base_prior, score + options.recovery.min_gain,
-                 options)
+  if (near.score >= options.recovery.min_relative_score * expected_score) return near;
+  return Recover(points_in_base, grid, submap_from_base_prior,
+                 near.score + options.recovery.min_gain, options)
       .value_or(near);
 }
 

@@ -10,15 +10,18 @@
 namespace loopscope {
 
 struct ScanMatch {
-  /// Where (CS) started, if not at the prior: the place that the correlative matcher or the recovery
-  /// search found.
+  /// Where (CS) started, if not at the prior: the place that the correlative matcher or the
+  /// recovery search found.
   std::optional<Pose2> submap_from_base_correlative;
   Pose2 submap_from_base;  ///< after (CS)
+  double score = 0.0;      ///< mean probability at the points there
 };
 
-/// Local scan matching: the correlative matcher, if it is switched on, then (CS). If the scan matches
-/// badly there, it is searched for in a wide window around the prior.
+/// Local scan matching: the correlative matcher, if it is switched on, then (CS). If the scan
+/// matches badly there, measured by the `expected_score`, it is searched for in a wide window
+/// around the prior.
 ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& grid,
-                    const Pose2& submap_from_base_prior, const LocalSlamOptions& options);
+                    const Pose2& submap_from_base_prior, double expected_score,
+                    const LocalSlamOptions& options);
 
 }  // namespace loopscope

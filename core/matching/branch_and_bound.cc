@@ -159,33 +159,28 @@ double HalfSide(const CellBox& box, double resolution) {
 
 }  // namespace
 
-BranchAndBoundMatcher::BranchAndBoundMatcher(const ProbabilityGrid& grid,
-                                             const BranchAndBoundOptions& options)
-    : options_(options),
-      grids_(std::make_unique<PrecomputedGrids>(grid, options.branch_and_bound_depth)) {}
+BranchAndBoundMatcher::BranchAndBoundMatcher(const ProbabilityGrid& grid, int depth)
+    : grids_(std::make_unique<PrecomputedGrids>(grid, depth)) {}
 
 BranchAndBoundMatcher::~BranchAndBoundMatcher() = default;
 
 SearchOutcome BranchAndBoundMatcher::Search(const PointCloud& points_in_scan,
-                                            const Pose2& submap_from_scan_guess, double min_score,
-                                            SearchTrace* trace) const {
+                                            const Pose2& submap_from_scan_guess,
+                                            double linear_window, double angular_window,
+                                            double min_score, SearchTrace* trace) const {
   assert(!points_in_scan.empty());
-  const SearchWindow window =
-      MakeSearchWindow(points_in_scan, submap_from_scan_guess, options_.linear_search_window,
-                       options_.angular_search_window, grids_->resolution());
+  const SearchWindow window = MakeSearchWindow(points_in_scan, submap_from_scan_guess,
+                                               linear_window, angular_window, grids_->resolution());
   return loopscope::Search(*grids_, window, points_in_scan, trace).Run(min_score);
 }
 
 SearchOutcome BranchAndBoundMatcher::SearchWholeSubmap(const PointCloud& points_in_scan,
                                                        double min_score, SearchTrace* trace) const {
-  assert(!points_in_scan.empty());
   const CellBox& known = grids_->at_height(0).box();
   const CellIndex center{known.min.x + known.width / 2, known.min.y + known.height / 2};
   const Pose2 submap_from_center(CenterOf(center, grids_->resolution()), 0.0);
-  const SearchWindow window =
-      MakeSearchWindow(points_in_scan, submap_from_center, HalfSide(known, grids_->resolution()),
-                       M_PI, grids_->resolution());
-  return loopscope::Search(*grids_, window, points_in_scan, trace).Run(min_score);
+  return Search(points_in_scan, submap_from_center, HalfSide(known, grids_->resolution()), M_PI,
+                min_score, trace);
 }
 
 }  // namespace loopscope

@@ -38,20 +38,22 @@ class PrecomputedGrids;
 /// Branch and bound (Algorithm 3) in one finished submap.
 class BranchAndBoundMatcher {
  public:
-  BranchAndBoundMatcher(const ProbabilityGrid& grid, const BranchAndBoundOptions& options);
+  /// `depth` is the number of precomputed grids, h_0 + 1.
+  BranchAndBoundMatcher(const ProbabilityGrid& grid, int depth);
   ~BranchAndBoundMatcher();
 
-  /// Searches the window of the options around `submap_from_scan_guess`. `points_in_scan` must not
-  /// be empty. If `trace` is given, it is overwritten with every node that was scored.
+  /// Searches the window of half the width `linear_window` [m] and `angular_window` [rad] around
+  /// `submap_from_scan_guess`. `points_in_scan` must not be empty. If `trace` is given, it is
+  /// overwritten with every node that was scored.
   SearchOutcome Search(const PointCloud& points_in_scan, const Pose2& submap_from_scan_guess,
-                       double min_score, SearchTrace* trace = nullptr) const;
+                       double linear_window, double angular_window, double min_score,
+                       SearchTrace* trace = nullptr) const;
 
   /// Searches every place in the submap at every angle.
   SearchOutcome SearchWholeSubmap(const PointCloud& points_in_scan, double min_score,
                                   SearchTrace* trace = nullptr) const;
 
  private:
-  BranchAndBoundOptions options_;
   std::unique_ptr<PrecomputedGrids> grids_;
 };
 

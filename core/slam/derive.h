@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/graph/constraint.h"
+#include "core/graph/loop_gate.h"
 #include "core/grid/probability_grid.h"
 #include "core/matching/search_trace.h"
 #include "core/slam/recording.h"
@@ -51,6 +52,9 @@ struct MatchReplay {
 
 /// Nothing if the scan was not matched: it was the first, or had no returns.
 std::optional<MatchReplay> ReplayMatch(const Recording& recording, int step);
+
+/// The gate that a pair had to go through when it came up, from the poses after that step.
+LoopGate GateOfPair(const Recording& recording, SubmapId submap, NodeId node);
 
 /// The pair when it came up: at the later of the node's insertion and the submap's end, which must
 /// have finished; guess and verdict (kTooFar or kNotSampled) from the poses after that step.

@@ -67,8 +67,8 @@ Rows CeresScanMatcherRows(CeresScanMatcherOptions* o) {
 
 Rows RecoveryRows(RecoveryOptions* o) {
   return {
-      {"min_score", &o->min_score, 0, 1, "",
-       "A scan whose mean probability is below is searched for widely; 0: never."},
+      {"min_relative_score", &o->min_relative_score, 0, 1, "",
+       "A scan that scores less than this share of the average is searched for widely; 0: never."},
       {"min_gain", &o->min_gain, 0, 1, "",
        "What was found is taken if its mean probability is higher by this much."},
       {"linear_search_window", &o->linear_search_window, 0, 10, "m",
@@ -134,6 +134,19 @@ Rows FastCorrelativeScanMatcherRows(BranchAndBoundOptions* o) {
   };
 }
 
+Rows LoopConsistencyRows(LoopConsistencyOptions* o) {
+  return {
+      {"min_num_supporters", &o->min_num_supporters, 0, kMaxCount, "",
+       "A loop needs loops of so many other nodes that agree with it; 0: none."},
+      {"max_way", &o->max_way, 0, 1e6, "m",
+       "Loops are compared over ways of local SLAM no longer than this."},
+      {"max_distance", &o->max_distance, 0, kMaxLength, "m", "Loops that agree differ by no more."},
+      {"max_distance_per_meter", &o->max_distance_per_meter, 0, 1, "m/m",
+       "On top of it, for each metre of way between them."},
+      {"max_angle", &o->max_angle, 0, kPi, "rad", "Loops that agree are turned by no more."},
+  };
+}
+
 Rows ConstraintBuilderRows(ConstraintBuilderOptions* o) {
   Rows rows = {
       {"sampling_ratio", &o->sampling_ratio, 0, 1, "",
@@ -142,6 +155,14 @@ Rows ConstraintBuilderRows(ConstraintBuilderOptions* o) {
        "Pairs of node and submap farther apart are not searched."},
       {"min_score", &o->min_score, 0, 1, "",
        "Mean probability that a match needs to become a constraint."},
+      {"min_relative_score", &o->min_relative_score, 0, 1, "",
+       "Likewise, as a share of what the submap's own nodes score. 0: off. Not in Cartographer."},
+      {"linear_search_window_per_meter", &o->linear_search_window_per_meter, 0, 1, "m/m",
+       "Growth of the search window with the way gone since the submap. Not in Cartographer."},
+      {"angular_search_window_per_meter", &o->angular_search_window_per_meter, 0, 1, "rad/m",
+       "Likewise of the angle. Not in Cartographer."},
+      {"max_linear_search_window", &o->max_linear_search_window, 0, kMaxLength, "m",
+       "Where the growth of the search window ends. Not in Cartographer."},
       {"global_localization_min_score", &o->global_localization_min_score, 0, 1, "",
        "Likewise, for searches of a whole submap."},
       {"loop_closure_translation_weight", &o->loop_closure_translation_weight, 0, kMaxWeight, "1/m",
@@ -149,6 +170,7 @@ Rows ConstraintBuilderRows(ConstraintBuilderOptions* o) {
       {"loop_closure_rotation_weight", &o->loop_closure_rotation_weight, 0, kMaxWeight, "1/rad",
        "How stiff a loop closure is in heading."},
   };
+  Append("consistency.", LoopConsistencyRows(&o->consistency), &rows);
   Append("fast_correlative_scan_matcher.",
          FastCorrelativeScanMatcherRows(&o->fast_correlative_scan_matcher), &rows);
   Append("ceres_scan_matcher.", CeresScanMatcherRows(&o->ceres_scan_matcher), &rows);

@@ -16,13 +16,6 @@
 namespace loopscope {
 namespace {
 
-std::string ExpectedValue(const OptionRow& row) {
-  if (std::holds_alternative<bool*>(row.field)) return "true or false";
-  const char* kind = std::holds_alternative<int*>(row.field) ? "a whole number" : "a number";
-  const std::string unit = row.unit.empty() ? "" : " [" + row.unit + "]";
-  return fmt::format("{} from {} to {}{}", kind, row.minimum, row.maximum, unit);
-}
-
 OptionError BadValue(const OptionRow& row, const std::string& value) {
   return OptionError(fmt::format("{} = {}: expected {}", row.key, value, ExpectedValue(row)));
 }
@@ -75,6 +68,13 @@ int KeyDistance(const std::string& a, const std::string& b) {
 
 }  // namespace
 
+std::string ExpectedValue(const OptionRow& row) {
+  if (std::holds_alternative<bool*>(row.field)) return "true or false";
+  const char* kind = std::holds_alternative<int*>(row.field) ? "a whole number" : "a number";
+  const std::string unit = row.unit.empty() ? "" : " [" + row.unit + "]";
+  return fmt::format("{} from {} to {}{}", kind, row.minimum, row.maximum, unit);
+}
+
 OptionValue GetValue(const OptionRow& row) {
   return std::visit(
       [](const auto* field) -> OptionValue {
@@ -118,8 +118,7 @@ void SetFromText(const std::string& key, const std::string& value, Options* opti
     }
     keys.push_back(row.key);
   }
-  throw OptionError(
-      fmt::format("unknown option \"{}\"; did you mean {}?", key, NearestKey(key, keys)));
+  throw UnknownOption(key, keys);
 }
 
 void SetFromAssignment(const std::string& assignment, Options* options) {
@@ -149,17 +148,18 @@ Options ParseOptions(const std::string& text, const Options& defaults) {
     try {
       SetFromAssignment(line, &options);
     } catch (const OptionError& error) {
-      throw OptionError(fmt::format("{}: {}", number, error.what()));
+      throw OptionError(error.what(), number);
     }
   }
   return options;
 }
 
-std::string NearestKey(const std::string& key, const std::vector<std::string>& keys) {
-  assert(!keys.empty());
-  return *std::min_element(keys.begin(), keys.end(), [&](const auto& a, const auto& b) {
-    return KeyDistance(key, a) < KeyDistance(key, b);
-  });
+OptionError UnknownOption(const std::string& key, const std::vector<std::string>& known_keys) {
+  assert(!known_keys.empty());
+  const std::string& nearest = *std::min_element(
+      known_keys.begin(), known_keys.end(),
+      [&](const auto& a, const auto& b) { return KeyDistance(key, a) < KeyDistance(key, b); });
+  return OptionError(fmt::format("unknown option \"{}\"; did you mean {}?", key, nearest));
 }
 
 }  // namespace loopscope

@@ -15,12 +15,22 @@ namespace loopscope {
 /// expected.
 class OptionError : public std::invalid_argument {
  public:
-  using std::invalid_argument::invalid_argument;
+  explicit OptionError(const std::string& what, int line = 0)
+      : std::invalid_argument(what), line_(line) {}
+
+  /// In the text that was parsed, counted from 1; 0 if there was none.
+  int line() const { return line_; }
+
+ private:
+  int line_;
 };
 
 using OptionValue = std::variant<bool, double>;
 
 OptionValue GetValue(const OptionRow& row);
+
+/// What the option may be, e.g. "a number from 0.1 to 1000 [m]".
+std::string ExpectedValue(const OptionRow& row);
 
 /// Throws OptionError if `value` is of the wrong kind or out of range.
 void SetValue(const OptionValue& value, const OptionRow& row);
@@ -39,13 +49,12 @@ void SetFromAssignment(const std::string& assignment, Options* options);
 std::string OptionsToText(const Options& options);
 
 /// Sets what `text` assigns and takes the rest from `defaults`. Empty lines and lines that begin
-/// with
-/// '#' say nothing. Throws OptionError whose message begins with the number of the line, "3: ...".
+/// with '#' say nothing. Throws OptionError that has the line.
 Options ParseOptions(const std::string& text, const Options& defaults);
 
-/// The one of `keys` (at least one) that is most like `key`. Names count more than the groups
-/// before them: "max_rnge" and "SUBMAPS.max_range" are both most like
-/// "TRAJECTORY_BUILDER_2D.max_range".
-std::string NearestKey(const std::string& key, const std::vector<std::string>& keys);
+/// To be thrown for a key that is not one of `known_keys` (at least one). It names the one that is
+/// most like it; names count more than the groups before them: "max_rnge" and "SUBMAPS.max_range"
+/// are both most like "TRAJECTORY_BUILDER_2D.max_range".
+OptionError UnknownOption(const std::string& key, const std::vector<std::string>& known_keys);
 
 }  // namespace loopscope

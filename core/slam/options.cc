@@ -10,11 +10,25 @@ Options LoopscopePreset() {
   Options options = CartographerPreset();
   LocalSlamOptions& local = options.trajectory_builder_2d;
   local.use_online_correlative_scan_matching = true;
+  local.real_time_correlative_scan_matcher.angular_search_window = DegreesToRadians(10.0);
   local.ceres_scan_matcher.occupied_space_weight = 10.0;
+  local.recovery.min_relative_score = 0.6;
   local.submaps.num_range_data = 40;
+  local.submaps.range_data_inserter.hit_probability = 0.7;
+  local.submaps.range_data_inserter.miss_probability = 0.4;
+
   PoseGraphOptions& graph = options.pose_graph;
   graph.optimize_every_n_nodes = 40;
-  graph.constraint_builder.min_score = 0.6;
+  ConstraintBuilderOptions& loops = graph.constraint_builder;
+  loops.max_constraint_distance = 5.0;
+  loops.min_score = 0.2;
+  loops.min_relative_score = 0.75;
+  loops.fast_correlative_scan_matcher.linear_search_window = 1.0;
+  loops.fast_correlative_scan_matcher.angular_search_window = DegreesToRadians(5.0);
+  loops.linear_search_window_per_meter = 0.03;
+  loops.angular_search_window_per_meter = DegreesToRadians(0.04);
+  loops.max_linear_search_window = 20.0;
+  loops.consistency.min_num_supporters = 2;
   graph.optimization_problem.huber_scale = 1e2;
   graph.optimization_problem.local_slam_pose_translation_weight = 1e4;
   graph.optimization_problem.local_slam_pose_rotation_weight = 1e4;

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cassert>
 
-#include "core/graph/pose_graph.h"
-
 namespace loopscope {
 namespace {
 
@@ -42,7 +40,8 @@ MapState StateAfterStep(const Recording& recording, int step) {
     const Optimization& last = recording.optimizations()[state.num_optimizations - 1];
     state.global_from_submap = last.global_from_submap;
     state.global_from_node = last.global_from_node;
-    state.global_from_local = GlobalFromLocal(last.global_from_submap, local_from_submap);
+    const std::size_t newest = last.global_from_submap.size() - 1;
+    state.global_from_local = last.global_from_submap[newest] * local_from_submap[newest].Inverse();
   }
   for (int i = static_cast<int>(state.global_from_submap.size()); i < state.num_submaps; ++i) {
     state.global_from_submap.push_back(state.global_from_local * local_from_submap[i]);

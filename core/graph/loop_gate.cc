@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/graph/loop_gate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/matching/match_score.h"
+
+namespace loopscope {
+
+LoopGate EvaluateLoopGate(const Pose2& submap_from_node_guess, const Eigen::AlignedBox2d& node_box,
+                          double way, const ConstraintBuilderOptions& options) {
+  const BranchAndBoundOptions& least = options.fast_correlative_scan_matcher;
+  LoopGate gate;
+  gate.way = way;
+  gate.distance = node_box.exteriorDistance(submap_from_node_guess.translation);
+  gate.linear_window =
+      std::max(least.linear_search_window,
+               std::min(least.linear_search_window + options.linear_search_window_per_meter * way,
+                        options.max_linear_search_window));
+  gate.angular_window =
+      std::min(least.angular_search_window + options.angular_search_window_per_meter * way, M_PI);
+  const double growth = gate.linear_window - least.linear_search_window;
+  gate.is_near = gate.distance <= options.max_constraint_distance + growth;
+  return gate;
+}
+
+double MinLoopScore(const std::vector<PlacedScan>& own_nodes, const ProbabilityGrid& grid,
+                    const ConstraintBuilderOptions& options) {
+  double sum = 0.0;
+  int num_scored = 0;
+  for (const PlacedScan& node : own_nodes) {
+    if (node.points_in_node->empty()) continue;
+    sum += MeanProbability(*node.points_in_node, node.submap_from_node, grid);
+    ++num_scored;
+  }
+  const double own_score = num_scored > 0 ? sum / num_scored : 0.0;
+  return std::max(options.min_score, options.min_relative_score * own_score);
+}
+
+}  // namespace loopscope

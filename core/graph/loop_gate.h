@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "core/geometry/pose2.h"
+#include "core/graph/pose_graph_options.h"
+#include "core/grid/probability_grid.h"
+#include "core/sensor/range_data.h"
+
+namespace loopscope {
+
+/// What decides, before any search, whether a node and a submap may see the same place, and how far
+/// off the estimate may be.
+struct LoopGate {
+  double way = 0.0;       ///< [m] that the robot went from the submap to the node, over known loops
+  double distance = 0.0;  ///< [m] from the node to the box around the nodes of the submap
+  double linear_window = 0.0;   ///< [m] in which to search
+  double angular_window = 0.0;  ///< [rad]
+  bool is_near = false;         ///< distance <= max_constraint_distance + growth of the window
+};
+
+/// `node_box` is the box around the submap's own nodes, in its frame [m].
+LoopGate EvaluateLoopGate(const Pose2& submap_from_node_guess, const Eigen::AlignedBox2d& node_box,
+                          double way, const ConstraintBuilderOptions& options);
+
+/// A node in a submap.
+struct PlacedScan {
+  const PointCloud* points_in_node;
+  Pose2 submap_from_node;
+};
+
+/// The score that a loop into a submap must beat: min_score, or min_relative_score of what the
+/// submap's own nodes score in its grid on average, whichever is more.
+double MinLoopScore(const std::vector<PlacedScan>& own_nodes, const ProbabilityGrid& grid,
+                    const ConstraintBuilderOptions& options);
+
+}  // namespace loopscope
