@@ -120,7 +120,8 @@ TEST(ParseOptions, NamesTheLine) {
     ParseOptions("# first\nuse_odometry = true\nuse_odometry = maybe\n", Options());
     FAIL() << "expected an exception";
   } catch (const OptionError& error) {
-    EXPECT_STREQ(error.what(), "3: use_odometry = \"maybe\": expected true or false");
+    EXPECT_EQ(error.line(), 3);
+    EXPECT_STREQ(error.what(), "use_odometry = \"maybe\": expected true or false");
   }
 }
 
