@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/io/recording_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loopscope {
+namespace {
+
+using Fault = std::optional<std::string>;
+
+/// Whether 0 <= index < size.
+bool Within(int index, std::size_t size) {
+  return index >= 0 && static_cast<std::size_t>(index) < size;
+}
+
+bool IsFinite(const Pose2& pose) {
+  return pose.translation.allFinite() && std::isfinite(pose.rotation);
+}
+
+bool AllFinite(const std::vector<Pose2>& poses) {
+  return std::all_of(poses.begin(), poses.end(), IsFinite);
+}
+
+/// The submaps of a node are the last ones, which have held all nodes since their first.
+Fault FaultOf(const Node& node, const std::optional<Submap>& started, const Recording& recording) {
+  const auto& submaps = recording.submaps();
+  const int num_nodes = static_cast<int>(recording.nodes().size());
+  const std::size_t num_submaps = submaps.size() + (started ? 1 : 0);
+  if (node.step != recording.num_steps()) return "a node of another step";
+  if (!IsFinite(node.local_from_base)) return "a node whose pose is not finite";
+  if (node.num_submaps < 1 || node.num_submaps > 2 ||
+      !Within(node.first_submap.index, num_submaps) ||
+      !Within(node.first_submap.index + node.num_submaps - 1, num_submaps)) {
+    return "a node in submaps that are not there";
+  }
+  for (int i = 0; i < node.num_submaps; ++i) {
+    const std::size_t index = static_cast<std::size_t>(node.first_submap.index + i);
+    const Submap& submap = index < submaps.size() ? submaps[index] : *started;
+    if (submap.finished_step >= 0) return "a node in a finished submap";
+    if (submap.first_node.index + submap.num_nodes != num_nodes) {
+      return "a node in a submap that misses some before it";
+    }
+  }
+  return std::nullopt;
+}
+
+Fault FaultOf(const Submap& submap) {
+  return IsFinite(submap.local_from_submap) ? std::nullopt
+                                            : Fault("a submap whose pose is not finite");
+}
+
+Fault FaultOf(const LoopCandidate& candidate, int step, std::size_t num_submaps,
+              std::size_t num_nodes) {
+  if (!Within(candidate.submap.index, num_submaps)) return "a loop to a submap that is not there";
+  if (!Within(candidate.node.index, num_nodes)) return "a loop to a node that is not there";
+  if (candidate.considered_step < 0 || candidate.considered_step > step) {
+    return "a loop from a later step";
+  }
+  return std::nullopt;
+}
+
+Fault FaultOf(const Optimization& optimization, std::size_t num_submaps, std::size_t num_nodes) {
+  if (optimization.global_from_submap.size() != num_submaps ||
+      optimization.global_from_node.size() != num_nodes) {
+    return "an optimization with a wrong number of poses";
+  }
+  if (!AllFinite(optimization.global_from_submap) || !AllFinite(optimization.global_from_node)) {
+    return "an optimization with poses that are not finite";
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Fault FaultOf(const ScanLog& log) {
+  int last_num_odometry = 0;
+  for (const LaserScan& scan : log.scans) {
+    if (!Within(scan.beam_geometry, log.beam_geometries.size())) return "a scan without beams";
+    if (static_cast<int>(scan.ranges.size()) != log.beam_geometries[scan.beam_geometry].num_beams) {
+      return "a scan with a wrong number of ranges";
+    }
+    if (scan.num_odometry_before < last_num_odometry ||
+        scan.num_odometry_before > static_cast<int>(log.odometry.size())) {
+      return "a scan amid odometry that is not there";
+    }
+    last_num_odometry = scan.num_odometry_before;
+  }
+  return std::nullopt;
+}
+
+Fault FaultOf(const SlamUpdate& update, const Recording& recording) {
+  const int step = recording.num_steps();
+  const std::size_t num_submaps = recording.submaps().size() + (update.started_submap ? 1 : 0);
+  const std::size_t num_nodes = recording.nodes().size() + (update.node ? 1 : 0);
+  if (!Within(step, recording.log().scans.size())) return "more steps than scans";
+  if (!IsFinite(update.step.local_from_base)) return "a step whose pose is not finite";
+  if (update.started_submap) {
+    if (!update.node) return "a submap without a node";
+    if (Fault fault = FaultOf(*update.started_submap)) return fault;
+  }
+  if (update.node) {
+    if (Fault fault = FaultOf(*update.node, update.started_submap, recording)) return fault;
+  }
+  if (update.finished_submap && !Within(update.finished_submap->index, num_submaps)) {
+    return "a finished submap that is not there";
+  }
+  for (const LoopCandidate& candidate : update.candidates) {
+    if (Fault fault = FaultOf(candidate, step, num_submaps, num_nodes)) return fault;
+  }
+  if (update.optimization) return FaultOf(*update.optimization, num_submaps, num_nodes);
+  return std::nullopt;
+}
+
+}  // namespace loopscope

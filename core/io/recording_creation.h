@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "core/sensor/scan_log.h"
+#include "core/slam/options.h"
+
+namespace SQLite {
+class Database;
+}
+
+namespace loopscope {
+
+/// Makes a recording without steps at `path`, in the place of another one if there is. It is
+/// written to `path`.part first; on failure, what was at `path` is as before. Throws FileError,
+/// SQLite::Exception or std::filesystem::filesystem_error.
+void CreateRecording(const std::string& path, const ScanLog& log, const Options& options);
+
+/// Sets up a connection for transactions that the death of the process cannot hurt. Nothing is
+/// flushed to the disk in between, so the death of the machine can.
+void PrepareForAppending(SQLite::Database& database);
+
+}  // namespace loopscope

@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sqlite3.h>
+#include <utility>
+#include <vector>
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
+
+#include "core/io/candidate_codec.h"
+#include "core/io/file_error.h"
+#include "core/io/number_codec.h"
+#include "core/io/recorded_log.h"
+#include "core/io/recording_check.h"
+#include "core/io/recording_file.h"
+#include "core/io/recording_schema.h"
+#include "core/io/sqlite_table.h"
+
+namespace loopscope {
+namespace {
+
+/// Reads a recording from an open file.
+class Reader {
+ public:
+  explicit Reader(const std::string& path)
+      // Writing is for SQLite, if a killed process left a journal to be undone.
+      : path_(path), database_(path, SQLite::OPEN_READWRITE, /*aBusyTimeoutMs=*/5000) {
+    sqlite3_limit(database_.getHandle(), SQLITE_LIMIT_LENGTH, static_cast<int>(kMaxChunkSize));
+  }
+
+  void CheckVersion() {
+    const int version = database_.execAndGet("PRAGMA user_version").getInt();
+    if (version > kRecordingSchemaVersion) {
+      throw FileError(path_, fmt::format("recording of schema {}, made by a newer Loopscope; "
+                                         "expected at most {}",
+                                         version, kRecordingSchemaVersion));
+    }
+  }
+
+  Recording ReadAll() {
+    // One transaction, so that a run that goes on beside us does not show in parts.
+    const SQLite::Transaction transaction(database_);
+    Recording recording(ReadRecordedLog(path_, database_), ReadRecordedOptions(path_, database_));
+    ReadNodes();
+    ReadSubmaps();
+    ReadCandidates();
+    ReadOptimizations();
+    ReadSteps(&recording);
+    if (next_node_ != nodes_.size() || next_submap_ != submaps_.size() ||
+        next_candidate_ != candidates_.size() || next_optimization_ != optimizations_.size()) {
+      Fail("there are rows of steps that are not there");
+    }
+    return recording;
+  }
+
+  std::optional<double> WallSeconds() {
+    SqliteTable table = Open("timing", "SELECT seconds FROM timing WHERE what = 'wall'");
+    return table.Next() ? std::make_optional(table.Double(0)) : std::nullopt;
+  }
+
+ private:
+  [[noreturn]] void Fail(const std::string& what) const {
+    throw FileError(path_, "damaged data: " + what);
+  }
+
+  SqliteTable Open(const std::string& name, const std::string& query) {
+    return SqliteTable(database_, path_, name, query);
+  }
+
+  void ReadNodes() {
+    SqliteTable table = Open("node",
+                             "SELECT node.*, step.x, step.y, step.rotation FROM node "
+                             "JOIN step ON step.id = node.step ORDER BY node.id");
+    while (table.Next()) {
+      if (table.Int(0) != static_cast<int>(nodes_.size())) Fail("nodes are missing");
+      nodes_.push_back({table.Int(1), table.PoseFrom(table.IsNull(4) ? 7 : 4),
+                        SubmapId{table.Int(2)}, table.Int(3)});
+    }
+  }
+
+  void ReadSubmaps() {
+    SqliteTable table = Open("submap", "SELECT * FROM submap ORDER BY id");
+    while (table.Next()) {
+      if (table.Int(0) != static_cast<int>(submaps_.size())) Fail("submaps are missing");
+      submaps_.push_back({table.Int(1), {table.PoseFrom(3), NodeId{table.Int(2)}, 0, -1}});
+    }
+  }
+
+  void ReadCandidates() {
+    SqliteTable table = Open("loop_candidates", "SELECT * FROM loop_candidates ORDER BY step");
+    while (table.Next()) {
+      const std::string where = fmt::format("loop candidates of step {}", table.Int(0));
+      const std::string bytes = table.Unpacked(1, kMaxChunkSize, where);
+      ByteReader in(bytes, path_, where);
+      const std::vector<LoopCandidate> some = GetCandidates(table.Int(0), &in);
+      in.ExpectEnd();
+      candidates_.insert(candidates_.end(), some.begin(), some.end());
+    }
+  }
+
+  void ReadOptimizations() {
+    SqliteTable table = Open("optimization", "SELECT * FROM optimization ORDER BY id");
+    while (table.Next()) {
+      if (table.Int(0) != static_cast<int>(optimizations_.size())) {
+        Fail("optimizations are missing");
+      }
+      Optimization optimization;
+      optimization.step = table.Int(1);
+      optimization.final = table.Int(2) != 0;
+      optimization.num_iterations = table.Int(3);
+      optimization.initial_cost = table.Double(4);
+      optimization.final_cost = table.Double(5);
+      const std::string where = fmt::format("optimization of step {}", optimization.step);
+      const std::string bytes = table.Unpacked(6, kMaxChunkSize, where);
+      ByteReader in(bytes, path_, where);
+      const Optimization* const last = optimizations_.empty() ? nullptr : &optimizations_.back();
+      using Poses = std::vector<Pose2>;
+      optimization.global_from_submap = GetPoses(last ? last->global_from_submap : Poses(), &in);
+      optimization.global_from_node = GetPoses(last ? last->global_from_node : Poses(), &in);
+      in.ExpectEnd();
+      optimizations_.push_back(std::move(optimization));
+    }
+  }
+
+  void ReadSteps(Recording* recording) {
+    SqliteTable table = Open("step", "SELECT * FROM step ORDER BY id");
+    while (table.Next()) {
+      const int step = recording->num_steps();
+      if (table.Int(0) != step) Fail(fmt::format("step {} is missing", step));
+      SlamUpdate update;
+      update.step.outcome = table.EnumUpTo(StepOutcome::kNoReturns, 1);
+      update.step.local_from_base_prior = table.PoseFrom(2);
+      if (!table.IsNull(5)) update.step.local_from_base_correlative = table.PoseFrom(5);
+      update.step.local_from_base = table.PoseFrom(8);
+      if (!table.IsNull(11)) update.finished_submap = SubmapId{table.Int(11)};
+      TakeRest(step, &update);
+      if (const auto fault = FaultOf(update, *recording)) {
+        Fail(fmt::format("step {} has {}", step, *fault));
+      }
+      recording->Append(std::move(update));
+    }
+  }
+
+  /// Moves what the other tables have about `step` into `update`.
+  void TakeRest(int step, SlamUpdate* update) {
+    if (next_node_ < nodes_.size() && nodes_[next_node_].step == step) {
+      update->step.node = NodeId{static_cast<int>(next_node_)};
+      update->node = nodes_[next_node_++];
+    }
+    if (next_submap_ < submaps_.size() && submaps_[next_submap_].first == step) {
+      update->started_submap = submaps_[next_submap_++].second;
+    }
+    while (next_candidate_ < candidates_.size() &&
+           candidates_[next_candidate_].applied_step == step) {
+      update->candidates.push_back(candidates_[next_candidate_++]);
+    }
+    if (next_optimization_ < optimizations_.size() &&
+        optimizations_[next_optimization_].step == step) {
+      update->optimization = std::move(optimizations_[next_optimization_++]);
+    }
+  }
+
+  std::string path_;
+  SQLite::Database database_;
+  std::vector<Node> nodes_;
+  std::vector<std::pair<int, Submap>> submaps_;  ///< with the step in which they were begun
+  std::vector<LoopCandidate> candidates_;
+  std::vector<Optimization> optimizations_;
+  std::size_t next_node_ = 0;
+  std::size_t next_submap_ = 0;
+  std::size_t next_candidate_ = 0;
+  std::size_t next_optimization_ = 0;
+};
+
+/// Calls action(reader) and throws what SQLite says as FileError.
+template <typename Action>
+auto WithReader(const std::string& path, const Action& action) {
+  if (!std::filesystem::exists(path)) throw FileError(path, "cannot be opened: no such file");
+  if (!IsRecording(path)) throw FileError(path, "not a Loopscope recording");
+  try {
+    Reader reader(path);
+    reader.CheckVersion();
+    return action(reader);
+  } catch (const SQLite::Exception& error) {
+    throw FileError(path, std::string("damaged recording: ") + error.what());
+  }
+}
+
+}  // namespace
+
+bool IsRecording(const std::string& path) {
+  // Not asked of SQLite, which would want to settle the journal of a killed process first.
+  constexpr std::size_t kApplicationId = 68;
+  std::string header(100, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(header.data(), static_cast<std::streamsize>(header.size()));
+  return file.good() && header.compare(0, 16, "SQLite format 3", 16) == 0 &&
+         header.compare(kApplicationId, 4, "Loop") == 0;
+}
+
+Recording ReadRecording(const std::string& path) {
+  return WithReader(path, [](Reader& reader) { return reader.ReadAll(); });
+}
+
+std::optional<double> ReadWallSeconds(const std::string& path) {
+  return WithReader(path, [](Reader& reader) { return reader.WallSeconds(); });
+}
+
+}  // namespace loopscope

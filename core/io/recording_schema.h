@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+namespace loopscope {
+
+/// PRAGMA application_id of a recording: "Loop" in ASCII.
+constexpr int kRecordingApplicationId = 0x4c6f6f70;
+
+/// PRAGMA user_version. A reader takes all versions up to its own.
+constexpr int kRecordingSchemaVersion = 1;
+
+/// The statements that make the tables of an empty recording, with their documentation, which
+/// SQLite keeps: `sqlite3 run.loopscope .schema` shows it.
+extern const char kRecordingSchema[];
+
+constexpr int kScansPerChunk = 100;
+constexpr int kOdometryPerChunk = 1000;
+
+/// Largest chunk of scans or odometry, unpacked [bytes].
+constexpr std::size_t kMaxChunkSize = std::size_t{1} << 28;
+
+}  // namespace loopscope
