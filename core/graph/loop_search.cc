@@ -3,23 +3,19 @@
 #include "core/graph/loop_search.h"
 
 #include <algorithm>
-#include <mutex>
 #include <utility>
 
 namespace loopscope {
 
+namespace {
+
+/// Some ten megabytes each.
+constexpr int kMaxMatchers = 16;
+
+}  // namespace
+
 struct LoopSearch::SearchedSubmap {
-  explicit SearchedSubmap(ProbabilityGrid submap_grid) : grid(std::move(submap_grid)) {}
-
-  const BranchAndBoundMatcher& Matcher(int depth) {
-    std::call_once(matcher_made,
-                   [&] { matcher = std::make_unique<BranchAndBoundMatcher>(grid, depth); });
-    return *matcher;
-  }
-
   ProbabilityGrid grid;
-  std::once_flag matcher_made;
-  std::unique_ptr<BranchAndBoundMatcher> matcher;  ///< made by the first search
   int num_considered = 0;
   int num_sampled = 0;
 };
@@ -58,12 +54,14 @@ Constraint ToConstraint(const LoopCandidate& accepted, const ConstraintBuilderOp
 }
 
 LoopSearch::LoopSearch(const ConstraintBuilderOptions& options, int num_threads)
-    : options_(options), pool_(num_threads) {}
+    : options_(options),
+      matchers_(kMaxMatchers, options.fast_correlative_scan_matcher.branch_and_bound_depth),
+      pool_(num_threads) {}
 
 LoopSearch::~LoopSearch() = default;
 
 void LoopSearch::AddSubmap(SubmapId id, ProbabilityGrid grid) {
-  submaps_.emplace(id, std::make_unique<SearchedSubmap>(std::move(grid)));
+  submaps_.emplace(id, std::make_unique<SearchedSubmap>(SearchedSubmap{std::move(grid), 0, 0}));
 }
 
 void LoopSearch::Consider(const LoopCandidate& candidate,
@@ -77,10 +75,8 @@ void LoopSearch::Consider(const LoopCandidate& candidate,
     return;
   }
   pool_.Add([this, submap, result, points = std::move(points_in_node)] {
-    *result =
-        SearchLoop(*result, *points, submap->grid,
-                   submap->Matcher(options_.fast_correlative_scan_matcher.branch_and_bound_depth),
-                   options_.ceres_scan_matcher);
+    *result = SearchLoop(*result, *points, submap->grid,
+                         *matchers_.Get(result->submap, submap->grid), options_.ceres_scan_matcher);
   });
 }
 

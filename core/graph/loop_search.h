@@ -8,6 +8,7 @@
 
 #include "core/graph/constraint.h"
 #include "core/graph/loop_candidate.h"
+#include "core/graph/matcher_cache.h"
 #include "core/graph/pose_graph_options.h"
 #include "core/graph/task_pool.h"
 #include "core/grid/probability_grid.h"
@@ -49,6 +50,7 @@ class LoopSearch {
   ConstraintBuilderOptions options_;
   std::map<SubmapId, std::unique_ptr<SearchedSubmap>> submaps_;
   std::vector<std::unique_ptr<LoopCandidate>> pending_;
+  MatcherCache matchers_;
   TaskPool pool_;
 };
 
