@@ -1,0 +1,55 @@
+# SPDX-FileCopyrightText: 2026 The Loopscope Authors
+# SPDX-License-Identifier: Apache-2.0
+# Fails if architecture.cmake lets a violation pass, or refuses what is allowed. Works in FOLDER.
+cmake_minimum_required(VERSION 3.25)
+
+function(run_check file text result output)
+  file(REMOVE_RECURSE ${FOLDER})
+  file(WRITE ${FOLDER}/${file} "${text}\n")
+  execute_process(
+    COMMAND ${CMAKE_COMMAND} -D ROOT=${FOLDER} -P ${CMAKE_CURRENT_LIST_DIR}/architecture.cmake
+    RESULT_VARIABLE check_result ERROR_VARIABLE check_output OUTPUT_QUIET)
+  set(${result} ${check_result} PARENT_SCOPE)
+  set(${output} "${check_output}" PARENT_SCOPE)
+endfunction()
+
+function(expect_refused file text)
+  run_check(${file} "${text}" result output)
+  if(result EQUAL 0 OR NOT output MATCHES "${file}")
+    message(SEND_ERROR "not refused: ${text} in ${file}")
+  endif()
+endfunction()
+
+function(expect_allowed file text)
+  run_check(${file} "${text}" result output)
+  if(NOT result EQUAL 0)
+    message(SEND_ERROR "refused: ${text} in ${file}: ${output}")
+  endif()
+endfunction()
+
+expect_refused(core/grid/a.h "#include \"render/scene.h\"")
+expect_refused(core/grid/a.h "#include \"app/cli/main.h\"")
+expect_refused(render/a.cc "#include \"app/cli/main.h\"")
+expect_refused(core/grid/a.h "#include \"core/matching/b.h\"")
+expect_refused(core/slam/a.h "#include \"core/io/b.h\"")
+expect_refused(core/evaluation/a.h "#include \"core/sensor/b.h\"")
+expect_refused(core/simulation/a.h "#include \"core/grid/b.h\"")
+expect_refused(core/unheard/a.h "")
+expect_refused(core/io/a.cc "#include <vtkPolyData.h>")
+expect_refused(core/io/a.cc "#include <opencv2/core.hpp>")
+expect_refused(core/io/a.cc "#include <QString>")
+expect_refused(core/io/a.cc "#include <iostream>")
+expect_refused(core/io/a.cc "#include <chrono>")
+expect_refused(core/io/a.cc "  std::cout << 1")
+expect_refused(core/io/a.cc "  printf(\"x\")")
+expect_refused(core/io/a.cc "  fmt::print(stderr, \"x\")")
+expect_refused(core/io/a.cc "  std::random_device device")
+expect_refused(render/a.cc "#include <QWidget>")
+expect_refused(render/a.cc "  std::cerr << 1")
+
+expect_allowed(core/matching/a.h "#include \"core/matching/b.h\"\n#include \"core/grid/b.h\"")
+expect_allowed(core/io/a.h "#include \"core/simulation/b.h\"\n#include <string>")
+expect_allowed(core/io/a.cc "  snprintf(text)\n  // printf(\"x\") is not called")
+expect_allowed(render/layers/a.cc "#include \"core/slam/b.h\"\n#include <vtkPolyData.h>")
+expect_allowed(app/cli/a.cc "#include \"render/scene.h\"\n#include <QWidget>\n  std::cout << 1")
+file(REMOVE_RECURSE ${FOLDER})
