@@ -16,7 +16,8 @@ enum class Verdict {
   kAccepted,       ///< INTER_SUBMAP constraint
 };
 
-/// A pair of a node and a finished submap that came up for a loop search.
+/// A pair of a node and a finished submap that came up for a loop search. Of one that was not
+/// sampled, only ids, steps and verdict are set.
 struct LoopCandidate {
   SubmapId submap;
   NodeId node;
@@ -25,7 +26,7 @@ struct LoopCandidate {
   bool whole_submap = false;  ///< searched everywhere in the submap instead of in the window
   double linear_search_window = 0.0;   ///< W_x = W_y [m]
   double angular_search_window = 0.0;  ///< W_theta [rad]
-  Pose2 submap_from_node_guess;        ///< from the poses then; not set if not sampled
+  Pose2 submap_from_node_guess;        ///< from the poses then
   Verdict verdict = Verdict::kNotSampled;
   /// Of the winner, or the best that was found below min_score; in [0.1, 0.9]. 0 if not searched.
   double score = 0.0;

@@ -67,13 +67,15 @@ void LoopSearch::AddSubmap(SubmapId id, ProbabilityGrid grid) {
 void LoopSearch::Consider(const LoopCandidate& candidate,
                           std::shared_ptr<const PointCloud> points_in_node) {
   SearchedSubmap* const submap = submaps_.at(candidate.submap).get();
-  pending_.push_back(std::make_unique<LoopCandidate>(candidate));
+  pending_.push_back(std::make_unique<LoopCandidate>());
   LoopCandidate* const result = pending_.back().get();
   if (!Sample(submap)) {
-    result->verdict = Verdict::kNotSampled;
-    result->submap_from_node_guess = Pose2();
+    result->submap = candidate.submap;
+    result->node = candidate.node;
+    result->considered_step = candidate.considered_step;
     return;
   }
+  *result = candidate;
   pool_.Add([this, submap, result, points = std::move(points_in_node)] {
     *result = SearchLoop(*result, *points, submap->grid,
                          *matchers_.Get(result->submap, submap->grid), options_.ceres_scan_matcher);
