@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
+#include <exception>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/commands.h"
+
+namespace {
+
+constexpr int kBadUsageOrInput = 2;
+
+const char kDescription[] =
+    "Loopscope maps 2D lidar logs and shows why a loop was closed, or was not.\n"
+    "Try `loopscope demo`, or `loopscope map LOG -o RUN.loopscope` and then `loopscope render "
+    "RUN.loopscope`.";
+
+const char kFooter[] =
+    "Exit codes: 0 fine, 1 the answer is \"no\" or a comparison failed, 2 bad usage or bad input.";
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app(kDescription, "loopscope");
+  app.footer(kFooter);
+  app.require_subcommand(1);
+  int exit_code = 0;
+  loopscope::AddMapCommand(&app, &exit_code);
+  try {
+    app.parse(argc, argv);
+    return exit_code;
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    std::fprintf(stderr, "loopscope: %s (see loopscope --help)\n", error.what());
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "loopscope: %s\n", error.what());
+  }
+  return kBadUsageOrInput;
+}

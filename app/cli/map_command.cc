@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "app/cli/commands.h"
+#include "app/cli/options_arguments.h"
+#include "app/cli/progress_bar.h"
+#include "core/io/carmen_log.h"
+
+namespace loopscope {
+namespace {
+
+struct MapArguments {
+  std::string log;
+  std::string output;
+  OptionsArguments options;
+  int num_threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+};
+
+/// RUN.loopscope in the current folder for a/b/RUN.log.gz.
+std::string DefaultOutput(const std::string& log_path) {
+  const std::string name = std::filesystem::path(log_path).filename().string();
+  return name.substr(0, name.find('.')) + ".loopscope";
+}
+
+void PrintNotes(const ScanLog& log) {
+  for (const LogNote& note : log.notes) {
+    fmt::print(stderr, "{}: {}x {}, first in line {}\n", log.name, note.count, note.what,
+               note.first_line);
+  }
+}
+
+void PrintSummary(const Recording& recording, const std::string& output, double seconds) {
+  const auto& scans = recording.log().scans;
+  const int num_steps = recording.num_steps();
+  const auto num_with = [&](Verdict verdict) {
+    const auto& candidates = recording.candidates();
+    return std::count_if(candidates.begin(), candidates.end(), [&](const LoopCandidate& candidate) {
+      return candidate.verdict == verdict;
+    });
+  };
+  const double log_seconds = num_steps > 0 ? scans[num_steps - 1].time - scans[0].time : 0.0;
+  fmt::print("{}: {} of {} scans, {} nodes, {} submaps\n", output, num_steps, scans.size(),
+             recording.nodes().size(), recording.submaps().size());
+  fmt::print("loops: {} closed, {} inconsistent, {} below the score, {} not sampled\n",
+             num_with(Verdict::kAccepted), num_with(Verdict::kInconsistent),
+             num_with(Verdict::kBelowMinScore), num_with(Verdict::kNotSampled));
+  fmt::print("{:.1f} s for {:.0f} s of log: {:.0f} times real time, {:.0f} scans/s\n", seconds,
+             log_seconds, log_seconds / seconds, num_steps / seconds);
+}
+
+int RunMap(const MapArguments& arguments) {
+  const Options options = ToOptions(arguments.options);
+  const ScanLog log = ReadCarmenLog(arguments.log);
+  PrintNotes(log);
+  const std::string output =
+      arguments.output.empty() ? DefaultOutput(arguments.log) : arguments.output;
+  RecordingWriter writer(output, log, options);
+  const InterruptGuard guard;
+  ProgressBar bar;
+  const Recording recording =
+      MapLog(log, options, arguments.num_threads, &writer, [&](const MappingProgress& progress) {
+        bar.Show(progress);
+        return !InterruptGuard::interrupted();
+      });
+  bar.End();
+  if (recording.num_steps() == static_cast<int>(log.scans.size())) writer.Finish(bar.seconds());
+  PrintSummary(recording, output, bar.seconds());
+  if (!InterruptGuard::interrupted()) return 0;
+  fmt::print(stderr, "loopscope: interrupted; {} holds the scans until then\n", output);
+  return 1;
+}
+
+}  // namespace
+
+void AddMapCommand(CLI::App* app, int* exit_code) {
+  CLI::App* const command = app->add_subcommand("map", "Map a log, and record how");
+  const auto arguments = std::make_shared<MapArguments>();
+  command->add_option("LOG", arguments->log, "CARMEN log, plain or gzip")
+      ->required()
+      ->type_name("");
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "Recording to write (default: name of the log with .loopscope, here)")
+      ->type_name("RUN.loopscope");
+  AddOptionsArguments(command, &arguments->options);
+  command
+      ->add_option("--threads", arguments->num_threads,
+                   "Loop searches at once; the result does not depend on it (default: all cores)")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  command->callback([arguments, exit_code] { *exit_code = RunMap(*arguments); });
+}
+
+}  // namespace loopscope

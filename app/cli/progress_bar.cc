@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/progress_bar.h"
+
+#include <csignal>
+#include <cstdio>
+#include <string>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+namespace loopscope {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kBarWidth = 30;
+constexpr auto kShowEvery = std::chrono::milliseconds(100);
+
+volatile std::sig_atomic_t interrupted_flag = 0;
+
+void RememberInterrupt(int) { interrupted_flag = 1; }
+
+std::string Bar(double share) {
+  std::string bar;
+  for (int i = 0; i < kBarWidth; ++i) bar += i < share * kBarWidth ? "█" : "░";
+  return bar;
+}
+
+}  // namespace
+
+ProgressBar::ProgressBar()
+    : is_terminal_(isatty(STDERR_FILENO) != 0), start_(Clock::now()), last_shown_() {}
+
+double ProgressBar::seconds() const {
+  return std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
+void ProgressBar::Show(const MappingProgress& progress) {
+  const double share = static_cast<double>(progress.num_steps) / progress.num_scans;
+  const bool is_last = progress.num_steps == progress.num_scans;
+  const std::string counts =
+      fmt::format("{:3.0f} %  {}/{} scans  {} nodes  {} submaps  {} loops  {:.0f} scans/s",
+                  100.0 * share, progress.num_steps, progress.num_scans, progress.num_nodes,
+                  progress.num_submaps, progress.num_loops, progress.num_steps / seconds());
+  if (is_terminal_) {
+    if (!is_last && Clock::now() - last_shown_ < kShowEvery) return;
+    last_shown_ = Clock::now();
+    fmt::print(stderr, "\r{} {}\x1b[K", Bar(share), counts);
+  } else {
+    const int tenth = static_cast<int>(10.0 * share);
+    if (tenth == last_tenth_) return;
+    last_tenth_ = tenth;
+    fmt::print(stderr, "{}\n", counts);
+  }
+}
+
+void ProgressBar::End() {
+  if (is_terminal_) fmt::print(stderr, "\n");
+}
+
+InterruptGuard::InterruptGuard() {
+  interrupted_flag = 0;
+  std::signal(SIGINT, RememberInterrupt);
+}
+
+InterruptGuard::~InterruptGuard() { std::signal(SIGINT, SIG_DFL); }
+
+bool InterruptGuard::interrupted() { return interrupted_flag != 0; }
+
+}  // namespace loopscope

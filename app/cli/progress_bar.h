@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+
+#include "app/mapping.h"
+
+namespace loopscope {
+
+/// Shows on stderr how far mapping has come: a bar on a terminal, else a line for every tenth.
+class ProgressBar {
+ public:
+  ProgressBar();
+
+  void Show(const MappingProgress& progress);
+  /// Leaves what was shown last, and ends the line.
+  void End();
+
+  double seconds() const;  ///< since the bar was made
+
+ private:
+  bool is_terminal_;
+  std::chrono::steady_clock::time_point start_;
+  std::chrono::steady_clock::time_point last_shown_;
+  int last_tenth_ = 0;
+};
+
+/// While one lives, Ctrl-C does not end the process but is remembered.
+class InterruptGuard {
+ public:
+  InterruptGuard();
+  ~InterruptGuard();
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+
+  static bool interrupted();
+};
+
+}  // namespace loopscope
