@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <vtkGenericOpenGLRenderWindow.h>
+
+#include "render/headless/gl_context.h"
+
+namespace loopscope {
+
+/// A VTK render window on a context that has no window.
+class OffscreenWindow : public vtkGenericOpenGLRenderWindow {
+ public:
+  static OffscreenWindow* New();
+  vtkTypeMacro(OffscreenWindow, vtkGenericOpenGLRenderWindow);
+
+  /// To be called once, before anything else. Throws std::runtime_error if OpenGL does not start.
+  void Open(std::unique_ptr<GlContext> context);
+
+  void MakeCurrent() override;
+  bool IsCurrent() override;
+
+ protected:
+  OffscreenWindow() = default;
+  ~OffscreenWindow() override;
+
+ private:
+  OffscreenWindow(const OffscreenWindow&) = delete;
+  void operator=(const OffscreenWindow&) = delete;
+
+  std::unique_ptr<GlContext> context_;
+};
+
+}  // namespace loopscope

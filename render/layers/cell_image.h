@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+#include <vtkActor.h>
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
+
+#include "core/geometry/pose2.h"
+#include "core/grid/cell.h"
+#include "render/palette.h"
+
+namespace loopscope {
+
+/// A colour for each cell of a box; clear at first.
+class CellImage {
+ public:
+  explicit CellImage(const CellBox& box);
+
+  const CellBox& box() const { return box_; }
+  /// `cell` must lie in the box.
+  Color At(CellIndex cell) const { return pixels_[box_.FlatIndex(cell)]; }
+  void Set(CellIndex cell, const Color& color) { pixels_[box_.FlatIndex(cell)] = color; }
+
+  /// RGBA, row-major, lowest y first.
+  vtkSmartPointer<vtkImageData> ToVtk() const;
+
+ private:
+  CellBox box_;
+  std::vector<Color> pixels_;
+};
+
+/// The image as one rectangle, every cell in one colour to its edges. `resolution` is the edge of a
+/// cell [m].
+vtkSmartPointer<vtkActor> CellImageLayer(const CellImage& image, const Pose2& target_from_grid,
+                                         double resolution);
+
+}  // namespace loopscope

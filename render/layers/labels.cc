@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/layers/labels.h"
+
+#include <algorithm>
+#include <vtkLabeledDataMapper.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkStringArray.h>
+
+#include "render/layers/shapes.h"
+
+namespace loopscope {
+
+std::vector<Label> WithoutOverlaps(const std::vector<Label>& labels, const FlatCamera& camera,
+                                   const Box& frame, const TextStyle& style) {
+  const Box panel{0.0, 0.0, frame.width, frame.height};
+  std::vector<Box> taken;
+  std::vector<Label> kept;
+  for (const Label& label : labels) {
+    const Eigen::Vector2d anchor = (label.anchor - camera.center) / camera.meters_per_pixel +
+                                   0.5 * Eigen::Vector2d(frame.width, frame.height);
+    const Box box{anchor.x() - 2.0, anchor.y() - 2.0, TextWidth(label.text, style) + 4.0,
+                  1.3 * style.size + 4.0};
+    const bool inside = box.left >= 0.0 && box.bottom >= 0.0 && box.right() <= panel.width &&
+                        box.top() <= panel.height;
+    const auto touches = [&](const Box& other) { return Overlap(box, other); };
+    if (!inside || std::any_of(taken.begin(), taken.end(), touches)) continue;
+    taken.push_back(box);
+    kept.push_back(label);
+  }
+  return kept;
+}
+
+vtkSmartPointer<vtkActor2D> LabelsLayer(const std::vector<Label>& labels, const TextStyle& style,
+                                        const Color& plate) {
+  Shapes anchors;
+  vtkNew<vtkStringArray> texts;
+  texts->SetName("text");
+  for (const Label& label : labels) {
+    anchors.AddPoint(label.anchor, style.color);
+    texts->InsertNextValue(label.text);
+  }
+  const vtkSmartPointer<vtkPolyData> data = anchors.Build();
+  data->GetPointData()->AddArray(texts);
+  const auto property = MakeTextProperty(style, Align::kLeft);
+  property->SetVerticalJustificationToBottom();
+  property->SetBackgroundColor(plate.r / 255.0, plate.g / 255.0, plate.b / 255.0);
+  property->SetBackgroundOpacity(plate.a / 255.0);
+  vtkNew<vtkLabeledDataMapper> mapper;
+  mapper->SetInputData(data);
+  mapper->SetLabelModeToLabelFieldData();
+  mapper->SetFieldDataName("text");
+  mapper->SetLabelTextProperty(property);
+  auto actor = vtkSmartPointer<vtkActor2D>::New();
+  actor->SetMapper(mapper);
+  return actor;
+}
+
+}  // namespace loopscope

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <vector>
+#include <vtkActor.h>
+#include <vtkSmartPointer.h>
+
+#include "core/grid/probability_grid.h"
+#include "render/layers/cell_image.h"
+#include "render/layers/grid_image.h"
+#include "render/scene.h"
+
+namespace loopscope {
+
+/// A submap's grid and where it lies in the map.
+struct PlacedGrid {
+  std::shared_ptr<const ProbabilityGrid> grid;
+  Pose2 map_from_grid;
+};
+
+/// Pixels over a map: pixel (x, y) is a square around origin + size * (x, y).
+struct Raster {
+  Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< [m]
+  double pixel_size = 0.05;                          ///< [m]
+  int width = 0;
+  int height = 0;
+};
+
+/// The raster for a panel: its own pixels, or half cells of `resolution` where those are larger.
+Raster RasterFor(const FlatCamera& camera, const Box& frame, double resolution);
+
+/// All grids in one image. Their odds for a pixel are multiplied, as if they were independent
+/// observations (eq. 3); a grid has the highest odds of its known cells there, so that no wall is
+/// lost in a small picture. Pixels that no grid knows are clear.
+CellImage ComposeMap(const std::vector<PlacedGrid>& grids, const Raster& raster,
+                     const MapColors& colors);
+
+vtkSmartPointer<vtkActor> MapLayer(const std::vector<PlacedGrid>& grids, const Raster& raster,
+                                   const MapColors& colors);
+
+/// Where the known cells of the grid lie in the map; empty if there are none.
+Extent ExtentOf(const PlacedGrid& grid);
+
+}  // namespace loopscope

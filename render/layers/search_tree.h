@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+#include <vtkActor.h>
+#include <vtkSmartPointer.h>
+
+#include "core/matching/search_trace.h"
+#include "render/layers/shapes.h"
+#include "render/palette.h"
+#include "render/scene.h"
+
+namespace loopscope {
+
+/// What the search did at one height of the tree.
+struct SearchLevel {
+  int height = 0;
+  int num_scored = 0;
+  int num_expanded = 0;
+  int num_pruned = 0;
+  /// One node for each block, over all angles: an expanded one before a pruned one, then the one
+  /// with the highest bound. Indices into SearchTrace::nodes.
+  std::vector<int> shown;
+};
+
+/// From the root's height down to 0.
+std::vector<SearchLevel> LevelsOf(const SearchTrace& trace);
+
+/// Bounds from the first to the last colour.
+struct BoundRange {
+  double low = 0.0;
+  double high = 1.0;
+
+  double PlaceOf(double bound) const { return (bound - low) / (high - low); }
+};
+
+BoundRange BoundRangeOf(const SearchTrace& trace);
+
+/// The poses of the block of `node`, each as a square of the resolution, in the frame of the submap
+/// [m].
+Extent BlockOf(const SearchNode& node, const SearchWindow& window);
+/// Likewise those of the whole window.
+Extent WindowExtent(const SearchWindow& window);
+
+/// The blocks of a level, filled in the colours of their bounds; pruned ones are faded.
+vtkSmartPointer<vtkActor> BlocksLayer(const SearchTrace& trace, const SearchLevel& level,
+                                      const BoundRange& range, const Palette& palette);
+
+/// Outlines of the blocks of a level that were expanded.
+vtkSmartPointer<vtkActor> ExpandedLayer(const SearchTrace& trace, const SearchLevel& level,
+                                        double line_width, const Palette& palette);
+
+}  // namespace loopscope

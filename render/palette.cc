@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/palette.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace loopscope {
+namespace {
+
+constexpr Color Rgb(unsigned int hex) {
+  return {static_cast<std::uint8_t>(hex >> 16), static_cast<std::uint8_t>(hex >> 8 & 0xff),
+          static_cast<std::uint8_t>(hex & 0xff)};
+}
+
+std::uint8_t Mix(std::uint8_t a, std::uint8_t b, double t) {
+  return static_cast<std::uint8_t>(std::lround(a + (b - a) * t));
+}
+
+/// `hue`, `saturation` and `value` in [0, 1].
+Color FromHsv(double hue, double saturation, double value) {
+  const auto channel = [&](double n) {
+    const double k = std::fmod(n + hue * 6.0, 6.0);
+    const double part = std::clamp(std::min(k, 4.0 - k), 0.0, 1.0);
+    return static_cast<std::uint8_t>(std::lround(255.0 * value * (1.0 - saturation * part)));
+  };
+  return {channel(5.0), channel(3.0), channel(1.0)};
+}
+
+Palette DefaultPalette() {
+  Palette p;
+  p.paper = Rgb(0xffffff);
+  p.ink = Rgb(0x1b1f24);
+  p.faint_ink = Rgb(0x5c6570);
+  p.rule = Rgb(0xb4bac1);
+  p.map_free = Rgb(0xffffff);
+  p.map_occupied = Rgb(0x000000);
+  p.map_unknown = Rgb(0xbfc7cd);
+  p.dark_free = Rgb(0x484c52);
+  p.dark_occupied = Rgb(0xb9bec5);
+  p.dark_unknown = Rgb(0x303336);
+  p.dark_label = Rgb(0xf2f4f6);
+  p.scan = Rgb(0xd93025);
+  p.ray = Rgb(0x4f7fb8);
+  p.hit = Rgb(0xd93025);
+  p.miss = Rgb(0x74a9e6);
+  p.odds = {{Rgb(0x1f5fb4), Rgb(0x86b6e8), Rgb(0xf4f4f4), Rgb(0xf19a86), Rgb(0xb51d1d)}};
+  p.never_seen = Rgb(0xe3dccb);
+  p.prior = Rgb(0xe8710a);
+  p.correlative = Rgb(0x9334e6);
+  p.refined = Rgb(0x0b8043);
+  p.bound = {{Rgb(0x440154), Rgb(0x3b528b), Rgb(0x21918c), Rgb(0x5ec962), Rgb(0xfde725)}};
+  p.window = Rgb(0x1a73e8);
+  p.expanded = Rgb(0x111111);
+  p.pruned = Rgb(0x8d949c);
+  p.winner = Rgb(0xe5178f);
+  p.trajectory = HueOf(0);
+  p.node = Rgb(0xffffff);
+  p.robot = Rgb(0xe5178f);
+  p.axis_x = Rgb(0xe02020);
+  p.axis_y = Rgb(0x12a012);
+  p.inter = Rgb(0xffff00);
+  p.inter_residual = Rgb(0x00ffff);
+  p.intra_residual = Rgb(0xff2a2a);
+  p.covariance = Rgb(0xff8ad8);
+  return p;
+}
+
+/// Hues of Okabe and Ito, https://jfly.uni-koeln.de/color/.
+Palette ColorBlindPalette() {
+  constexpr Color kOrange = Rgb(0xe69f00);
+  constexpr Color kSkyBlue = Rgb(0x56b4e9);
+  constexpr Color kGreen = Rgb(0x009e73);
+  constexpr Color kBlue = Rgb(0x0072b2);
+  constexpr Color kVermilion = Rgb(0xd55e00);
+  constexpr Color kPurple = Rgb(0xcc79a7);
+  Palette p = DefaultPalette();
+  p.scan = kVermilion;
+  p.ray = kBlue;
+  p.hit = kVermilion;
+  p.miss = kSkyBlue;
+  p.odds = {{kBlue, Rgb(0x9cc9ea), Rgb(0xf4f4f4), Rgb(0xf0b57a), Rgb(0xb04a00)}};
+  p.prior = kOrange;
+  p.correlative = kPurple;
+  p.refined = kBlue;
+  p.window = kBlue;
+  p.winner = kVermilion;
+  p.trajectory = kBlue;
+  p.robot = kVermilion;
+  p.axis_x = kVermilion;
+  p.axis_y = kGreen;
+  p.inter = kOrange;
+  p.inter_residual = kSkyBlue;
+  p.intra_residual = kPurple;
+  p.covariance = Rgb(0xf0e442);
+  return p;
+}
+
+}  // namespace
+
+bool operator==(const Color& a, const Color& b) {
+  return a.r == b.r && a.g == b.g && a.b == b.b && a.a == b.a;
+}
+
+Color WithOpacity(Color color, double share) {
+  color.a = static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
+  return color;
+}
+
+Color Blend(const Color& a, const Color& b, double t) {
+  return {Mix(a.r, b.r, t), Mix(a.g, b.g, t), Mix(a.b, b.b, t), Mix(a.a, b.a, t)};
+}
+
+Color ColorMap::At(double t) const {
+  const double place = std::clamp(t, 0.0, 1.0) * (stops.size() - 1);
+  const std::size_t below =
+      std::min<std::size_t>(static_cast<std::size_t>(place), stops.size() - 2);
+  return Blend(stops[below], stops[below + 1], place - below);
+}
+
+Theme ThemeFromName(const std::string& name) {
+  if (name == "default") return Theme::kDefault;
+  if (name == "color-blind") return Theme::kColorBlind;
+  throw std::invalid_argument("unknown theme '" + name + "': expected default or color-blind");
+}
+
+Color HueOf(int id) {
+  constexpr double kGoldenRatioConjugate = 0.6180339887498949;
+  constexpr double kFirstHue = 0.69;
+  double whole = 0.0;
+  return FromHsv(std::modf(kFirstHue + kGoldenRatioConjugate * id, &whole), 0.85, 0.77);
+}
+
+const Palette& PaletteOf(Theme theme) {
+  static const Palette default_palette = DefaultPalette();
+  static const Palette color_blind_palette = ColorBlindPalette();
+  return theme == Theme::kColorBlind ? color_blind_palette : default_palette;
+}
+
+}  // namespace loopscope

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/scene.h"
+
+#include <algorithm>
+#include <vtkCamera.h>
+#include <vtkNew.h>
+#include <vtkRenderStepsPass.h>
+#include <vtkRendererCollection.h>
+
+namespace loopscope {
+namespace {
+
+void SetBackground(const Color& color, vtkRenderer* renderer) {
+  renderer->SetBackground(color.r / 255.0, color.g / 255.0, color.b / 255.0);
+}
+
+void LookDown(const FlatCamera& flat, double height, vtkRenderer* renderer) {
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetPosition(flat.center.x(), flat.center.y(), 1.0);
+  camera->SetFocalPoint(flat.center.x(), flat.center.y(), 0.0);
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  camera->SetParallelScale(0.5 * height * flat.meters_per_pixel);
+  camera->SetClippingRange(0.1, 2.0);
+}
+
+vtkSmartPointer<vtkRenderer> PanelRenderer(const Panel& panel, const Scene& scene) {
+  auto renderer = vtkSmartPointer<vtkRenderer>::New();
+  renderer->SetViewport(panel.frame.left / scene.width, panel.frame.bottom / scene.height,
+                        panel.frame.right() / scene.width, panel.frame.top() / scene.height);
+  FillRenderer(panel, renderer);
+  return renderer;
+}
+
+}  // namespace
+
+Extent VisibleExtent(const FlatCamera& camera, const Box& frame) {
+  const Eigen::Vector2d half =
+      0.5 * camera.meters_per_pixel * Eigen::Vector2d(frame.width, frame.height);
+  return Extent(camera.center - half, camera.center + half);
+}
+
+FlatCamera CameraFor(const Extent& extent, const Box& frame) {
+  constexpr double kMargin = 1.06;
+  constexpr double kPoint = 1e-3;  // [m] what is no larger than that is a point
+  if (extent.isEmpty() || extent.sizes().maxCoeff() <= kPoint) {
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+    if (!extent.isEmpty()) middle = extent.center();
+    return {middle, 2.0 / std::min(frame.width, frame.height)};
+  }
+  const Eigen::Vector2d size = extent.sizes();
+  FlatCamera camera;
+  camera.center = extent.center();
+  camera.meters_per_pixel = kMargin * std::max(size.x() / frame.width, size.y() / frame.height);
+  return camera;
+}
+
+void FillRenderer(const Panel& panel, vtkRenderer* renderer) {
+  SetBackground(panel.canvas, renderer);
+  // By default VTK averages translucent colours regardless of their order; these steps blend each
+  // prop over those before it.
+  vtkNew<vtkRenderStepsPass> steps;
+  renderer->SetPass(steps);
+  for (const auto& prop : panel.props) renderer->AddViewProp(prop);
+  LookDown(panel.camera, panel.frame.height, renderer);
+}
+
+void Show(const Scene& scene, vtkRenderWindow* window) {
+  while (vtkRenderer* const old = window->GetRenderers()->GetFirstRenderer()) {
+    window->RemoveRenderer(old);
+  }
+  Panel sheet;
+  sheet.frame = {0.0, 0.0, static_cast<double>(scene.width), static_cast<double>(scene.height)};
+  sheet.camera = {{0.5 * scene.width, 0.5 * scene.height}, 1.0};
+  sheet.canvas = scene.paper;
+  sheet.props = scene.annotation;
+  window->AddRenderer(PanelRenderer(sheet, scene));
+  for (const Panel& panel : scene.panels) window->AddRenderer(PanelRenderer(panel, scene));
+}
+
+}  // namespace loopscope

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+#include <vtkProp.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <Eigen/Geometry>
+
+#include "render/box.h"
+#include "render/palette.h"
+
+namespace loopscope {
+
+/// A rectangle of a map [m].
+using Extent = Eigen::AlignedBox2d;
+
+/// Looks straight down: x to the right, y up.
+struct FlatCamera {
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();  ///< [m] in the middle of the panel
+  double meters_per_pixel = 0.01;
+};
+
+/// The camera that shows all of `extent` in `frame` with a small margin. What is empty or a point
+/// is shown with a metre around it.
+FlatCamera CameraFor(const Extent& extent, const Box& frame);
+
+/// What the camera sees in `frame`.
+Extent VisibleExtent(const FlatCamera& camera, const Box& frame);
+
+/// A map with its own camera. It is drawn from the bottom to the top: `props` in their order, then
+/// texts.
+struct Panel {
+  Box frame;  ///< [px] of the picture
+  FlatCamera camera;
+  Color canvas;  ///< where nothing is drawn
+  std::vector<vtkSmartPointer<vtkProp>> props;
+};
+
+/// A picture before it is drawn: what VTK needs and nothing of how it came about.
+struct Scene {
+  int width = 0;         ///< [px]
+  int height = 0;        ///< [px]
+  int oversampling = 1;  ///< pixels of the scene for one of the picture, in each direction
+  Color paper;
+  std::vector<vtkSmartPointer<vtkProp>> annotation;  ///< in pixels
+  std::vector<Panel> panels;
+};
+
+/// Fills `renderer` with a panel, its camera included.
+void FillRenderer(const Panel& panel, vtkRenderer* renderer);
+
+/// Fills `window` with the scene, in place of what it showed. The window should have the size of
+/// the scene.
+void Show(const Scene& scene, vtkRenderWindow* window);
+
+}  // namespace loopscope

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/views/grids.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/slam/derive.h"
+#include "render/parallel.h"
+
+namespace loopscope {
+
+std::vector<PlacedGrid> GridsOfState(const Recording& recording, const MapState& state) {
+  std::vector<PlacedGrid> grids(state.num_submaps);
+  ParallelFor(state.num_submaps, [&](int i) {
+    const SubmapId submap{i};
+    const int num_nodes = NumNodesOfSubmapAfterStep(recording, submap, state.step);
+    grids[i] = {std::make_shared<ProbabilityGrid>(GridOfSubmap(recording, submap, num_nodes)),
+                state.global_from_submap[i]};
+  });
+  return grids;
+}
+
+Extent ExtentOf(const std::vector<PlacedGrid>& grids) {
+  Extent extent;
+  for (const PlacedGrid& grid : grids) extent.extend(ExtentOf(grid));
+  return extent;
+}
+
+ColorBar OccupancyBar(const MapColors& colors) {
+  return {"probability of an obstacle",
+          {{colors.free, colors.occupied}},
+          {{0.0, "0.1"}, {0.5, "0.5"}, {1.0, "0.9"}}};
+}
+
+LegendEntry UnknownEntry(const MapColors& colors) {
+  return {{Swatch::Kind::kFill, colors.unknown, colors.unknown}, "never seen"};
+}
+
+std::string LengthText(double length) {
+  return std::abs(length) < 1.0 ? fmt::format("{:.1f} cm", 100.0 * length)
+                                : fmt::format("{:.2f} m", length);
+}
+
+std::string AngleText(double radians) { return fmt::format("{:.2f}°", RadiansToDegrees(radians)); }
+
+}  // namespace loopscope

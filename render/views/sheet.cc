@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/views/sheet.h"
+
+#include "render/annotation_layer.h"
+
+namespace loopscope {
+
+Sheet::Sheet(const ViewRequest& request, int oversampling, Annotation annotation,
+             const Arrangement& arrangement)
+    : request_(request),
+      palette_(PaletteOf(request.theme)),
+      oversampling_(oversampling),
+      annotation_(std::move(annotation)),
+      layout_(LayOut(MakeSheetSize(request.width, request.height, oversampling), annotation_,
+                     arrangement)),
+      shown_(request.layers.value_or(DefaultLayersOf(request.view))),
+      drafts_(layout_.panels.size()) {
+  if (!request.title.empty()) annotation_.title = request.title;
+}
+
+void Sheet::Open(int panel, const Extent& extent, const Color& canvas,
+                 std::vector<std::string> caption) {
+  PanelDraft& draft = drafts_[panel];
+  draft.camera = CameraFor(extent, frame(panel));
+  draft.canvas = canvas;
+  draft.caption = std::move(caption);
+  if (panel != 0) return;
+  if (request_.center) draft.camera.center = *request_.center;
+  if (request_.width_in_meters) {
+    draft.camera.meters_per_pixel = *request_.width_in_meters / frame(panel).width;
+  }
+}
+
+Scene Sheet::Finish() const {
+  Scene scene;
+  scene.width = layout_.size.width;
+  scene.height = layout_.size.height;
+  scene.oversampling = oversampling_;
+  scene.paper = palette_.paper;
+  scene.annotation = DrawAnnotation(annotation_, layout_, palette_);
+  for (int i = 0; i < num_panels(); ++i) {
+    const PanelDraft& draft = drafts_[i];
+    const Props edge =
+        DrawPanelEdge(layout_.panels[i], draft.camera, draft.caption, layout_.size, palette_);
+    scene.annotation.insert(scene.annotation.end(), edge.begin(), edge.end());
+    Panel panel{frame(i), draft.camera, draft.canvas, {}};
+    for (const auto& [kind, prop] : draft.layers) panel.props.push_back(prop);
+    scene.panels.push_back(std::move(panel));
+  }
+  return scene;
+}
+
+}  // namespace loopscope

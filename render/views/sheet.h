@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "render/annotation.h"
+#include "render/layers/map_image.h"
+#include "render/layout.h"
+#include "render/scene.h"
+#include "render/view.h"
+
+namespace loopscope {
+
+/// A picture in the making. A view says what stands around its maps, and gets panels to draw in.
+class Sheet {
+ public:
+  Sheet(const ViewRequest& request, int oversampling, Annotation annotation,
+        const Arrangement& arrangement = {});
+
+  const Palette& palette() const { return palette_; }
+  const SheetSize& size() const { return layout_.size; }
+  /// `width` of the palette in pixels.
+  double Px(double width) const { return width * layout_.size.unit; }
+  bool Shows(LayerKind kind) const { return shown_.count(kind) > 0; }
+
+  int num_panels() const { return static_cast<int>(layout_.panels.size()); }
+  const Box& frame(int panel) const { return layout_.panels[panel].frame; }
+  const FlatCamera& camera(int panel) const { return drafts_[panel].camera; }
+  Extent Visible(int panel) const { return VisibleExtent(camera(panel), frame(panel)); }
+  /// `length` of the palette in metres of the panel.
+  double Meters(int panel, double length) const {
+    return Px(length) * drafts_[panel].camera.meters_per_pixel;
+  }
+
+  /// Opens a panel. The camera shows `extent`; that of panel 0 shows what the request says instead.
+  void Open(int panel, const Extent& extent, const Color& canvas,
+            std::vector<std::string> caption = {});
+
+  /// Adds what `draw` returns if the layer is to be shown. Later ones of a kind cover earlier ones.
+  template <typename Draw>
+  void Add(int panel, LayerKind kind, const Draw& draw) {
+    if (Shows(kind)) drafts_[panel].layers.emplace(kind, draw());
+  }
+
+  Scene Finish() const;
+
+ private:
+  struct PanelDraft {
+    FlatCamera camera;
+    Color canvas;
+    std::vector<std::string> caption;
+    std::multimap<LayerKind, vtkSmartPointer<vtkProp>> layers;  // in the order of drawing
+  };
+
+  const ViewRequest& request_;
+  const Palette& palette_;
+  int oversampling_;
+  Annotation annotation_;
+  Layout layout_;
+  std::set<LayerKind> shown_;
+  std::vector<PanelDraft> drafts_;
+};
+
+}  // namespace loopscope

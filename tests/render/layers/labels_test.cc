@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/layers/labels.h"
+
+#include <gtest/gtest.h>
+
+namespace loopscope {
+namespace {
+
+constexpr TextStyle kStyle{13, Weight::kRegular, {}};
+constexpr Box kFrame{0.0, 0.0, 400.0, 300.0};
+const FlatCamera kCamera{{0.0, 0.0}, 0.1};  // shows 40 m x 30 m
+
+std::vector<std::string> TextsOf(const std::vector<Label>& labels) {
+  std::vector<std::string> texts;
+  for (const Label& label : labels) texts.push_back(label.text);
+  return texts;
+}
+
+TEST(WithoutOverlapsTest, KeepsTheFirstOfTwoThatWouldTouch) {
+  const std::vector<Label> labels{
+      {{0.0, 0.0}, "(0, 1)"}, {{1.0, 0.5}, "(0, 2)"}, {{0.0, 5.0}, "(0, 3)"}};
+  EXPECT_EQ(TextsOf(WithoutOverlaps(labels, kCamera, kFrame, kStyle)),
+            (std::vector<std::string>{"(0, 1)", "(0, 3)"}));
+}
+
+TEST(WithoutOverlapsTest, KeepsMoreInACloserView) {
+  const std::vector<Label> labels{{{0.0, 0.0}, "(0, 1)"}, {{1.0, 0.5}, "(0, 2)"}};
+  const FlatCamera closer{{0.0, 0.0}, 0.01};
+  EXPECT_EQ(WithoutOverlaps(labels, closer, kFrame, kStyle).size(), 2u);
+}
+
+TEST(WithoutOverlapsTest, DropsWhatWouldLeaveThePanel) {
+  const std::vector<Label> labels{{{19.5, 0.0}, "(0, 1)"},
+                                  {{0.0, 14.9}, "(0, 2)"},
+                                  {{-30.0, 0.0}, "(0, 3)"},
+                                  {{-19.0, -14.0}, "(0, 4)"}};
+  EXPECT_EQ(TextsOf(WithoutOverlaps(labels, kCamera, kFrame, kStyle)),
+            std::vector<std::string>{"(0, 4)"});
+}
+
+}  // namespace
+}  // namespace loopscope

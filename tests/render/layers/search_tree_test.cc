@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/layers/search_tree.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/render/layers/layer_data.h"
+
+namespace loopscope {
+namespace {
+
+using testing::ElementsAre;
+
+SearchNode Node(int height, CellIndex offset, int angle, double bound, SearchFate fate) {
+  SearchNode node;
+  node.height = height;
+  node.offset = offset;
+  node.angle_index = angle;
+  node.bound = bound;
+  node.fate = fate;
+  return node;
+}
+
+/// A window of 2 cells each way around (1, 1), two blocks at height 2 and leaves in one of them.
+SearchTrace SmallTrace() {
+  SearchTrace trace;
+  trace.window = {Pose2(1.0, 1.0, 0.0), 2, 1, 0.1, 0.01};
+  trace.nodes = {Node(2, {-2, -2}, 0, 0.8, SearchFate::kExpanded),
+                 Node(2, {-2, -2}, 1, 0.9, SearchFate::kPruned),
+                 Node(2, {2, -2}, 0, 0.4, SearchFate::kPruned),
+                 Node(2, {2, -2}, 1, 0.5, SearchFate::kPruned),
+                 Node(0, {-2, -2}, 0, 0.7, SearchFate::kImproved),
+                 Node(0, {-1, -2}, 0, 0.6, SearchFate::kPruned)};
+  trace.winner = 4;
+  return trace;
+}
+
+TEST(LevelsOfTest, CountsFatesFromTheTopDown) {
+  const auto levels = LevelsOf(SmallTrace());
+  ASSERT_EQ(levels.size(), 2u);
+  EXPECT_EQ(levels[0].height, 2);
+  EXPECT_EQ(levels[0].num_scored, 4);
+  EXPECT_EQ(levels[0].num_expanded, 1);
+  EXPECT_EQ(levels[0].num_pruned, 3);
+  EXPECT_EQ(levels[1].height, 0);
+  EXPECT_EQ(levels[1].num_expanded, 1);
+}
+
+TEST(LevelsOfTest, ShowsExpandedBeforePrunedAndThenTheHighestBound) {
+  EXPECT_THAT(LevelsOf(SmallTrace())[0].shown, ElementsAre(0, 3));
+}
+
+TEST(BlockOfTest, CoversThePosesOfTheBlockCellByCell) {
+  const SearchTrace trace = SmallTrace();
+  const Extent block = BlockOf(trace.nodes[0], trace.window);
+  EXPECT_TRUE(block.min().isApprox(Eigen::Vector2d(0.75, 0.75)));
+  EXPECT_TRUE(block.max().isApprox(Eigen::Vector2d(1.15, 1.15)));
+  const Extent leaf = BlockOf(trace.nodes[4], trace.window);
+  EXPECT_NEAR(leaf.sizes().x(), 0.1, 1e-12);
+}
+
+TEST(WindowExtentTest, IsCenteredOnTheGuess) {
+  const Extent window = WindowExtent(SmallTrace().window);
+  EXPECT_TRUE(window.center().isApprox(Eigen::Vector2d(1.0, 1.0)));
+  EXPECT_NEAR(window.sizes().x(), 0.5, 1e-12);
+}
+
+TEST(BoundRangeTest, SpansAllBounds) {
+  const BoundRange range = BoundRangeOf(SmallTrace());
+  EXPECT_DOUBLE_EQ(range.low, 0.4);
+  EXPECT_DOUBLE_EQ(range.high, 0.9);
+  EXPECT_DOUBLE_EQ(range.PlaceOf(0.65), 0.5);
+  EXPECT_GT(BoundRangeOf({}).high, BoundRangeOf({}).low);
+}
+
+TEST(BlocksLayerTest, FillsOneSquareABlockAndFadesThePruned) {
+  const SearchTrace trace = SmallTrace();
+  const Palette& palette = PaletteOf(Theme::kDefault);
+  const auto layer = BlocksLayer(trace, LevelsOf(trace)[0], BoundRangeOf(trace), palette);
+  EXPECT_EQ(DataOf(layer)->GetNumberOfPolys(), 2);
+  EXPECT_EQ(ColorOf(layer, 0), palette.bound.At(0.8));
+  EXPECT_LT(ColorOf(layer, 4).a, 128);
+}
+
+TEST(ExpandedLayerTest, OutlinesOnlyWhatWasExpanded) {
+  const SearchTrace trace = SmallTrace();
+  const auto layer = ExpandedLayer(trace, LevelsOf(trace)[0], 1.0, PaletteOf(Theme::kDefault));
+  EXPECT_EQ(DataOf(layer)->GetNumberOfLines(), 1);
+  EXPECT_TRUE(PointOf(layer, 0).isApprox(Eigen::Vector2d(0.75, 0.75), 1e-6));
+}
+
+}  // namespace
+}  // namespace loopscope

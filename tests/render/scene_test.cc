@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/scene.h"
+
+#include <vtkCamera.h>
+#include <vtkNew.h>
+
+#include <gtest/gtest.h>
+
+namespace loopscope {
+namespace {
+
+constexpr Box kFrame{10.0, 20.0, 400.0, 200.0};
+
+TEST(CameraForTest, ShowsTheWholeExtent) {
+  const Extent extent(Eigen::Vector2d(-3.0, 5.0), Eigen::Vector2d(7.0, 6.0));
+  const FlatCamera camera = CameraFor(extent, kFrame);
+  EXPECT_TRUE(VisibleExtent(camera, kFrame).contains(extent));
+  EXPECT_TRUE(camera.center.isApprox(Eigen::Vector2d(2.0, 5.5)));
+}
+
+TEST(CameraForTest, WastesNoRoomInTheTighterDirection) {
+  const Extent wide(Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(100.0, 1.0));
+  EXPECT_NEAR(VisibleExtent(CameraFor(wide, kFrame), kFrame).sizes().x(), 106.0, 1e-9);
+  const Extent tall(Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(1.0, 100.0));
+  EXPECT_NEAR(VisibleExtent(CameraFor(tall, kFrame), kFrame).sizes().y(), 106.0, 1e-9);
+}
+
+TEST(CameraForTest, ShowsAMetreAroundAPointAndAroundNothing) {
+  const Extent point(Eigen::Vector2d(4.0, 4.0));
+  EXPECT_TRUE(CameraFor(point, kFrame).center.isApprox(Eigen::Vector2d(4.0, 4.0)));
+  EXPECT_NEAR(VisibleExtent(CameraFor(point, kFrame), kFrame).sizes().y(), 2.0, 1e-9);
+  EXPECT_NEAR(VisibleExtent(CameraFor(Extent(), kFrame), kFrame).sizes().y(), 2.0, 1e-9);
+}
+
+TEST(FillRendererTest, LooksDownAtTheExtentOfTheCamera) {
+  Panel panel{kFrame, {{3.0, -2.0}, 0.05}, Color{1, 2, 3}, {}};
+  vtkNew<vtkRenderer> renderer;
+  FillRenderer(panel, renderer);
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  EXPECT_TRUE(camera->GetParallelProjection());
+  EXPECT_DOUBLE_EQ(camera->GetParallelScale(), 0.5 * 200.0 * 0.05);
+  EXPECT_DOUBLE_EQ(camera->GetFocalPoint()[0], 3.0);
+  EXPECT_DOUBLE_EQ(camera->GetFocalPoint()[1], -2.0);
+  EXPECT_DOUBLE_EQ(camera->GetViewUp()[1], 1.0);
+}
+
+}  // namespace
+}  // namespace loopscope
