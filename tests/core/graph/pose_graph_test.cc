@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/graph/pose_graph.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/pose_matchers.h"
+#include "tests/support/simulated_room.h"
+
+namespace loopscope {
+namespace {
+
+constexpr int kStep = 77;
+
+PoseGraphOptions Options() {
+  PoseGraphOptions options;
+  options.constraint_builder.sampling_ratio = 1.0;
+  options.constraint_builder.max_constraint_distance = 3.0;
+  options.constraint_builder.fast_correlative_scan_matcher = {0.6, 0.3, 4};
+  // Local SLAM is hardly believed from node to node, so that loops can be seen to work.
+  options.optimization_problem.local_slam_pose_translation_weight = 1.0;
+  options.optimization_problem.local_slam_pose_rotation_weight = 1.0;
+  return options;
+}
+
+/// The drift of local SLAM when it comes back to the room.
+const Pose2 kDrift(0.3, -0.2, 0.1);
+
+/// A robot that maps the room as submap 0, and comes back to it in submap 1.
+class ReturnToARoom {
+ public:
+  explicit ReturnToARoom(const PoseGraphOptions& options) : graph_(options, 2) {
+    graph_.AddSubmap(Pose2());
+    AddNode(Pose2(1.0, 0.5, 0.0), room_.ScanAt(Pose2(1.0, 0.5, 0.0)), 0);
+    graph_.FinishSubmap(SubmapId{0}, room_.grid(), 5);
+    graph_.AddSubmap(kDrift * Pose2(2.0, 0.8, 0.0));
+  }
+
+  /// Adds a node of submap 1 that truly stands at `submap0_from_node`.
+  void ComeTo(const Pose2& submap0_from_node) {
+    AddNode(kDrift * submap0_from_node, room_.ScanAt(submap0_from_node), 1);
+  }
+
+  void AddNode(const Pose2& local_from_node, const PointCloud& points, int submap) {
+    graph_.AddNode({local_from_node, std::nullopt, SubmapId{submap}, 1,
+                    std::make_shared<const PointCloud>(points)},
+                   kStep);
+  }
+
+  PoseGraph& graph() { return graph_; }
+
+ private:
+  SimulatedRoom room_;
+  PoseGraph graph_;
+};
+
+const Pose2 kFirst(2.0, 0.8, 0.4);
+const Pose2 kSecond(2.3, 0.9, 0.5);
+
+TEST(PoseGraph, AcceptsALoopAndTellsWhenAndWhere) {
+  ReturnToARoom run(Options());
+  run.ComeTo(kFirst);
+  const auto candidates = run.graph().CollectLoops(kStep + 3);
+  ASSERT_EQ(candidates.size(), 1u);
+  EXPECT_EQ(candidates[0].verdict, Verdict::kAccepted);
+  EXPECT_EQ(candidates[0].submap, SubmapId{0});
+  EXPECT_EQ(candidates[0].node, NodeId{1});
+  EXPECT_EQ(candidates[0].considered_step, kStep);
+  EXPECT_EQ(candidates[0].applied_step, kStep + 3);
+  EXPECT_EQ(candidates[0].min_score, 0.55);
+  EXPECT_THAT(candidates[0].submap_from_node_guess, PoseNear(kDrift * kFirst, 1e-12, 1e-12));
+  EXPECT_THAT(candidates[0].submap_from_node, PoseNear(kFirst, 0.02, 0.005));
+}
+
+TEST(PoseGraph, TellsTheBestScoreBelowMinScore) {
+  ReturnToARoom run(Options());
+  run.AddNode(kDrift * kFirst, {{0.3, 0.1}, {0.5, -0.2}, {-0.4, 0.3}}, 1);
+  const auto candidates = run.graph().CollectLoops(kStep);
+  ASSERT_EQ(candidates.size(), 1u);
+  EXPECT_EQ(candidates[0].verdict, Verdict::kBelowMinScore);
+  EXPECT_GE(candidates[0].score, kMinProbability);
+  EXPECT_LE(candidates[0].score, 0.55);
+}
+
+TEST(PoseGraph, LeavesAPairThatIsNotSampled) {
+  PoseGraphOptions options = Options();
+  options.constraint_builder.sampling_ratio = 0.0;
+  ReturnToARoom run(options);
+  run.ComeTo(kFirst);
+  EXPECT_EQ(run.graph().CollectLoops(kStep).at(0).verdict, Verdict::kNotSampled);
+}
+
+TEST(PoseGraph, DoesNotConsiderWhatIsTooFarOrBlindOrLiesInTheSubmap) {
+  ReturnToARoom run(Options());
+  run.AddNode(Pose2(4.1, 0.5, 0.0), {{1.0, 0.0}}, 1);  // 3.1 m from the only node of submap 0
+  run.AddNode(Pose2(2.0, 0.5, 0.0), {}, 1);
+  run.AddNode(Pose2(2.0, 0.5, 0.0), {{1.0, 0.0}}, 0);
+  EXPECT_TRUE(run.graph().CollectLoops(kStep).empty());
+}
+
+TEST(PoseGraph, ConsidersNothingIfItNeverOptimizes) {
+  PoseGraphOptions options = Options();
+  options.optimize_every_n_nodes = 0;
+  ReturnToARoom run(options);
+  run.ComeTo(kFirst);
+  EXPECT_TRUE(run.graph().CollectLoops(kStep).empty());
+  EXPECT_FALSE(run.graph().OptimizationIsDue());
+}
+
+TEST(PoseGraph, ConsidersTheNodesThatWereThereWhenASubmapIsFinished) {
+  ReturnToARoom run(Options());
+  run.ComeTo(kFirst);
+  run.ComeTo(kSecond);
+  run.graph().CollectLoops(kStep);
+  run.graph().FinishSubmap(SubmapId{1}, SimulatedRoom().grid(), kStep + 1);
+  const auto candidates = run.graph().CollectLoops(kStep + 1);
+  ASSERT_EQ(candidates.size(), 1u);  // nodes 1 and 2 lie in it
+  EXPECT_EQ(candidates[0].submap, SubmapId{1});
+  EXPECT_EQ(candidates[0].node, NodeId{0});
+  EXPECT_EQ(candidates[0].considered_step, kStep + 1);
+}
+
+TEST(PoseGraph, BelievesNoLoopThatStandsAlone) {
+  PoseGraphOptions options = Options();
+  options.constraint_builder.consistency.min_num_supporters = 1;
+  ReturnToARoom run(options);
+  run.ComeTo(kFirst);
+  const LoopCandidate alone = run.graph().CollectLoops(kStep).at(0);
+  EXPECT_EQ(alone.verdict, Verdict::kInconsistent);
+  EXPECT_EQ(alone.num_supporters, 0);
+  EXPECT_GT(alone.score, alone.min_score);
+}
+
+TEST(PoseGraph, BelievesLoopsThatAgree) {
+  PoseGraphOptions options = Options();
+  options.constraint_builder.consistency.min_num_supporters = 1;
+  ReturnToARoom run(options);
+  run.ComeTo(kFirst);
+  run.ComeTo(kSecond);
+  for (const LoopCandidate& candidate : run.graph().CollectLoops(kStep)) {
+    EXPECT_EQ(candidate.verdict, Verdict::kAccepted);
+    EXPECT_EQ(candidate.num_supporters, 1);
+  }
+  run.ComeTo(Pose2(2.6, 1.0, 0.6));
+  EXPECT_EQ(run.graph().CollectLoops(kStep).at(0).num_supporters, 2);  // earlier ones count
+}
+
+TEST(PoseGraph, PullsTheMapTogetherWhereALoopIsClosed) {
+  ReturnToARoom run(Options());
+  run.ComeTo(kFirst);
+  run.graph().CollectLoops(kStep);
+  const GraphSolution solution = run.graph().Optimize(50);
+  EXPECT_EQ(solution.global_from_submap[0], Pose2());
+  EXPECT_THAT(solution.global_from_node[1], PoseNear(kFirst, 0.02, 0.01));
+  EXPECT_THAT(solution.global_from_submap[1], PoseNear(Pose2(2.0, 0.8, 0.0), 0.05, 0.02));
+}
+
+TEST(PoseGraph, PlacesWhatComesLaterByTheNewestSubmap) {
+  ReturnToARoom run(Options());
+  run.ComeTo(kFirst);
+  run.graph().CollectLoops(kStep);
+  run.graph().Optimize(50);
+  run.ComeTo(kSecond);
+  const LoopCandidate candidate = run.graph().CollectLoops(kStep).at(0);
+  EXPECT_THAT(candidate.submap_from_node_guess, PoseNear(kSecond, 0.05, 0.02));
+}
+
+TEST(PoseGraph, StaysAsLocalSlamHasItWithoutLoops) {
+  PoseGraphOptions options = Options();
+  options.constraint_builder.sampling_ratio = 0.0;
+  ReturnToARoom run(options);
+  run.ComeTo(kFirst);
+  run.graph().CollectLoops(kStep);
+  EXPECT_THAT(run.graph().Optimize(50).global_from_node[1], PoseNear(kDrift * kFirst, 1e-6, 1e-6));
+}
+
+TEST(PoseGraph, IsDueForOptimizationEveryNNodes) {
+  PoseGraphOptions options = Options();
+  options.optimize_every_n_nodes = 2;
+  ReturnToARoom run(options);
+  EXPECT_FALSE(run.graph().OptimizationIsDue());
+  run.ComeTo(kFirst);
+  EXPECT_TRUE(run.graph().OptimizationIsDue());
+  run.graph().CollectLoops(kStep);
+  run.graph().Optimize(10);
+  EXPECT_FALSE(run.graph().OptimizationIsDue());
+}
+
+}  // namespace
+}  // namespace loopscope

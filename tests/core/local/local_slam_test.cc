@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/local/local_slam.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/mapped_log.h"
+#include "tests/support/pose_matchers.h"
+
+namespace loopscope {
+namespace {
+
+using ::testing::Not;
+
+Simulation FirstScans(int num_scans) {
+  Simulation simulation = SimulateSmallLoop();
+  simulation.log.scans.resize(num_scans);
+  return simulation;
+}
+
+std::vector<LocalSlamResult> AddAllScans(const ScanLog& log, const LocalSlamOptions& options) {
+  LocalSlam slam(log, options);
+  std::vector<LocalSlamResult> results;
+  for (int scan = 0; scan < static_cast<int>(log.scans.size()); ++scan) {
+    results.push_back(slam.AddScan(scan));
+  }
+  return results;
+}
+
+/// The true motion of the robot between two scans.
+Pose2 TrueMotion(const Simulation& simulation, int from, int to) {
+  const auto world_from_base = [&](int scan) {
+    return PoseAt(simulation.ground_truth, simulation.log.scans[scan].time);
+  };
+  return world_from_base(from).Inverse() * world_from_base(to);
+}
+
+Pose2 Motion(const std::vector<LocalSlamResult>& results, int from, int to) {
+  return results[from].local_from_base.Inverse() * results[to].local_from_base;
+}
+
+/// Lets odometry believe that the robot turned by `angle` on the spot just before `scan`.
+void JumpOdometry(int scan, double angle, ScanLog* log) {
+  const int first = log->scans[scan].num_odometry_before - 1;
+  const Pose2 odom_from_base = log->odometry[first].odom_from_base;
+  const Pose2 jump = odom_from_base * Pose2(0.0, 0.0, angle) * odom_from_base.Inverse();
+  for (std::size_t i = first; i < log->odometry.size(); ++i) {
+    log->odometry[i].odom_from_base = jump * log->odometry[i].odom_from_base;
+  }
+}
+
+TEST(LocalSlam, BeginsWhereTheLocalFrameDoes) {
+  const Simulation simulation = FirstScans(1);
+  const auto results = AddAllScans(simulation.log, SmallLoopOptions().trajectory_builder_2d);
+  EXPECT_EQ(results[0].local_from_base, Pose2());
+  ASSERT_TRUE(results[0].insertion);
+  EXPECT_EQ(results[0].insertion->first_submap, SubmapId{0});
+}
+
+TEST(LocalSlam, FollowsTheTruthMuchCloserThanOdometryDoes) {
+  const Simulation simulation = FirstScans(80);
+  const auto results = AddAllScans(simulation.log, SmallLoopOptions().trajectory_builder_2d);
+  const Trajectory odometry = OdometryTrajectoryOf(simulation.log);
+  const Pose2 truth = TrueMotion(simulation, 0, 79);
+  EXPECT_THAT(Motion(results, 0, 79), PoseNear(truth, 0.1, DegreesToRadians(2.0)));
+  EXPECT_THAT(odometry[79].map_from_base, Not(PoseNear(truth, 0.5, DegreesToRadians(10.0))));
+}
+
+TEST(LocalSlam, FollowsTheTruthWithoutOdometry) {
+  // With a view all around, so that no corridor is without an end in sight.
+  SimulationOptions simulation_options;
+  simulation_options.lidar.beams = {361, -M_PI, DegreesToRadians(1.0)};
+  Simulation simulation = Simulate(SmallLoopWorld(), simulation_options);
+  simulation.log.scans.resize(60);
+  simulation.log.odometry.clear();
+  for (LaserScan& scan : simulation.log.scans) scan.num_odometry_before = 0;
+  const auto results = AddAllScans(simulation.log, SmallLoopOptions().trajectory_builder_2d);
+  EXPECT_FALSE(results.back().odom_from_base);
+  EXPECT_THAT(Motion(results, 0, 59),
+              PoseNear(TrueMotion(simulation, 0, 59), 0.05, DegreesToRadians(1.0)));
+}
+
+TEST(LocalSlam, LeavesOdometryAsideIfToldSo) {
+  const Simulation simulation = FirstScans(20);
+  LocalSlamOptions options = SmallLoopOptions().trajectory_builder_2d;
+  options.use_odometry = false;
+  ScanLog without = simulation.log;
+  for (LaserScan& scan : without.scans) scan.num_odometry_before = 0;
+  const auto results = AddAllScans(simulation.log, options);
+  const auto expected = AddAllScans(without, options);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    EXPECT_FALSE(results[i].odom_from_base);
+    EXPECT_EQ(results[i].local_from_base, expected[i].local_from_base) << i;
+  }
+}
+
+TEST(LocalSlam, CarriesOnBlindlyOverScansWithoutReturns) {
+  Simulation simulation = FirstScans(30);
+  for (int scan = 10; scan < 15; ++scan) {
+    for (float& range : simulation.log.scans[scan].ranges) {
+      range = std::numeric_limits<float>::infinity();
+    }
+  }
+  const auto results = AddAllScans(simulation.log, SmallLoopOptions().trajectory_builder_2d);
+  for (int scan = 10; scan < 15; ++scan) {
+    EXPECT_FALSE(results[scan].has_returns);
+    EXPECT_FALSE(results[scan].insertion);
+    EXPECT_EQ(results[scan].local_from_base, results[scan].local_from_base_prior);
+  }
+  EXPECT_TRUE(results[15].has_returns);
+  EXPECT_THAT(Motion(results, 0, 29),
+              PoseNear(TrueMotion(simulation, 0, 29), 0.1, DegreesToRadians(2.0)));
+}
+
+constexpr int kJumpScan = 60;
+
+TEST(LocalSlam, RecoversFromAnOdometryJumpOf85Degrees) {
+  Simulation simulation = FirstScans(kJumpScan + 20);
+  JumpOdometry(kJumpScan, DegreesToRadians(85.0), &simulation.log);
+  const auto results = AddAllScans(simulation.log, SmallLoopOptions().trajectory_builder_2d);
+  for (const int scan : {kJumpScan, kJumpScan + 19}) {
+    EXPECT_THAT(Motion(results, kJumpScan - 1, scan),
+                PoseNear(TrueMotion(simulation, kJumpScan - 1, scan), 0.1, DegreesToRadians(2.0)));
+  }
+}
+
+TEST(LocalSlam, IsLostAfterAnOdometryJumpOf85DegreesWithoutRecovery) {
+  Simulation simulation = FirstScans(kJumpScan + 20);
+  JumpOdometry(kJumpScan, DegreesToRadians(85.0), &simulation.log);
+  LocalSlamOptions options = SmallLoopOptions().trajectory_builder_2d;
+  options.recovery.min_relative_score = 0.0;
+  const auto results = AddAllScans(simulation.log, options);
+  EXPECT_THAT(Motion(results, kJumpScan - 1, kJumpScan + 19),
+              Not(PoseNear(TrueMotion(simulation, kJumpScan - 1, kJumpScan + 19), 0.5,
+                           DegreesToRadians(45.0))));
+}
+
+TEST(LocalSlam, IsTheSameWithRecoveryWhereNothingGoesWrong) {
+  const Simulation simulation = FirstScans(80);
+  LocalSlamOptions options = SmallLoopOptions().trajectory_builder_2d;
+  const auto with = AddAllScans(simulation.log, options);
+  options.recovery.min_relative_score = 0.0;
+  const auto without = AddAllScans(simulation.log, options);
+  for (std::size_t i = 0; i < with.size(); ++i) {
+    EXPECT_EQ(with[i].local_from_base, without[i].local_from_base) << i;
+  }
+}
+
+TEST(LocalSlam, InsertsOnlyWhereTheRobotMoved) {
+  Simulation simulation = FirstScans(30);
+  // The robot stands still from scan 20 on, and sees the same.
+  for (int scan = 21; scan < 30; ++scan) {
+    simulation.log.scans[scan].ranges = simulation.log.scans[20].ranges;
+    simulation.log.scans[scan].num_odometry_before = simulation.log.scans[20].num_odometry_before;
+  }
+  const auto results = AddAllScans(simulation.log, SmallLoopOptions().trajectory_builder_2d);
+  int num_inserted = 0;
+  for (int scan = 21; scan < 30; ++scan) num_inserted += results[scan].insertion ? 1 : 0;
+  EXPECT_LE(num_inserted, 1);
+  EXPECT_TRUE(results[25].has_returns);
+}
+
+}  // namespace
+}  // namespace loopscope

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/local/pose_extrapolator.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/pose_matchers.h"
+
+namespace loopscope {
+namespace {
+
+constexpr std::nullopt_t kNoOdometry = std::nullopt;
+
+const Pose2 kStart(1.0, 2.0, 0.3);
+const Pose2 kSecondMotion(0.5, 0.1, 0.2);  // the motion of a second, in the frame of the robot
+
+/// Knows the robot at times 10 s and 11 s.
+PoseExtrapolator MovingExtrapolator() {
+  PoseExtrapolator extrapolator;
+  extrapolator.AddPose(10.0, kStart, kNoOdometry);
+  extrapolator.AddPose(11.0, kStart * kSecondMotion, kNoOdometry);
+  return extrapolator;
+}
+
+TEST(PoseExtrapolator, BeginsAtTheIdentity) {
+  EXPECT_EQ(PoseExtrapolator().Predict(5.0, Pose2(3.0, 2.0, 1.0)), Pose2());
+}
+
+TEST(PoseExtrapolator, StaysWhenItKnowsOnlyOnePose) {
+  PoseExtrapolator extrapolator;
+  extrapolator.AddPose(10.0, kStart, kNoOdometry);
+  EXPECT_EQ(extrapolator.Predict(11.0, kNoOdometry), kStart);
+}
+
+TEST(PoseExtrapolator, AddsTheMotionThatOdometryMeasured) {
+  PoseExtrapolator extrapolator;
+  const Pose2 odom_from_base(-4.0, 1.0, 2.5);
+  extrapolator.AddPose(10.0, kStart, odom_from_base);
+  EXPECT_THAT(extrapolator.Predict(11.0, odom_from_base * kSecondMotion),
+              PoseNear(kStart * kSecondMotion, 1e-12, 1e-12));
+}
+
+TEST(PoseExtrapolator, BelievesOdometryWhateverTheStampsSay) {
+  PoseExtrapolator extrapolator;
+  extrapolator.AddPose(10.0, kStart, Pose2());
+  extrapolator.AddPose(11.0, kStart * kSecondMotion, Pose2(9.0, 9.0, 1.0));
+  EXPECT_THAT(extrapolator.Predict(10.5, Pose2(9.0, 9.0, 1.0)),
+              PoseNear(kStart * kSecondMotion, 1e-12, 1e-12));
+}
+
+TEST(PoseExtrapolator, KeepsTheVelocityWithoutOdometry) {
+  const PoseExtrapolator extrapolator = MovingExtrapolator();
+  EXPECT_THAT(extrapolator.Predict(12.0, kNoOdometry),
+              PoseNear(kStart * kSecondMotion * kSecondMotion, 1e-12, 1e-12));
+  EXPECT_THAT(extrapolator.Predict(11.5, kNoOdometry),
+              PoseNear(kStart * kSecondMotion * Pose2(0.25, 0.05, 0.1), 1e-12, 1e-12));
+}
+
+TEST(PoseExtrapolator, KeepsTheVelocityWhereOdometryBeginsOrEnds) {
+  PoseExtrapolator extrapolator = MovingExtrapolator();
+  const Pose2 kept = extrapolator.Predict(12.0, kNoOdometry);
+  EXPECT_EQ(extrapolator.Predict(12.0, Pose2(7.0, 7.0, 1.0)), kept);
+  extrapolator.AddPose(12.0, kept, Pose2(7.0, 7.0, 1.0));
+  EXPECT_THAT(extrapolator.Predict(13.0, kNoOdometry),
+              PoseNear(kept * kSecondMotion, 1e-12, 1e-12));
+}
+
+TEST(PoseExtrapolator, DoesNotStretchTheMotionOverAPause) {
+  const Pose2 after_pause = MovingExtrapolator().Predict(1011.0, kNoOdometry);
+  EXPECT_THAT(after_pause, PoseNear(kStart * kSecondMotion * Pose2(1.5, 0.3, 0.6), 1e-12, 1e-12));
+}
+
+TEST(PoseExtrapolator, StaysWhenTimeRunsBackwards) {
+  PoseExtrapolator extrapolator = MovingExtrapolator();
+  EXPECT_THAT(extrapolator.Predict(9.0, kNoOdometry),
+              PoseNear(kStart * kSecondMotion, 1e-12, 1e-12));
+  extrapolator.AddPose(9.0, kStart, kNoOdometry);
+  EXPECT_EQ(extrapolator.Predict(10.0, kNoOdometry), kStart);
+}
+
+TEST(PoseExtrapolator, StaysAfterTwoPosesOfTheSameTime) {
+  PoseExtrapolator extrapolator = MovingExtrapolator();
+  extrapolator.AddPose(11.0, kStart, kNoOdometry);
+  EXPECT_EQ(extrapolator.Predict(12.0, kNoOdometry), kStart);
+}
+
+}  // namespace
+}  // namespace loopscope
