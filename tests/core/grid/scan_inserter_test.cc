@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/grid/scan_inserter.h"
+
+#include <gtest/gtest.h>
+
+#include "core/grid/ray_cast.h"
+#include "tests/support/ascii_grid.h"
+
+namespace loopscope {
+namespace {
+
+const ScanCells kCells{{{3, 0}, {3, 1}}, {{0, 0}, {1, 0}, {2, 1}}};
+const CellBox kBox{{0, 0}, 4, 2};
+
+TEST(ScanInserter, MakesHitsLikelierAndMissesUnlikelier) {
+  ProbabilityGrid grid(0.05);
+  ScanInserter({0.7, 0.4, true}).Insert(kCells, &grid);
+  EXPECT_EQ(Draw(grid, kBox), ToText({"  47",  //
+                                      "44 7"}));
+}
+
+TEST(ScanInserter, MultipliesTheOddsOfScans) {
+  ProbabilityGrid grid(0.05);
+  const ScanInserter inserter({0.7, 0.4, true});
+  inserter.Insert(kCells, &grid);
+  inserter.Insert({{{3, 0}}, {{3, 1}, {0, 0}}}, &grid);
+  // Odds 7/3 * 7/3, 7/3 * 2/3 and 2/3 * 2/3.
+  EXPECT_NEAR(grid.probability({3, 0}), 49.0 / 58.0, 1e-4);
+  EXPECT_NEAR(grid.probability({3, 1}), 14.0 / 23.0, 1e-4);
+  EXPECT_NEAR(grid.probability({0, 0}), 4.0 / 13.0, 1e-4);
+  EXPECT_NEAR(grid.probability({1, 0}), 0.4, 1e-4);
+}
+
+TEST(ScanInserter, GrowsTheGridToMissesAsToHits) {
+  ProbabilityGrid grid(0.05);
+  ScanInserter({0.7, 0.4, true}).Insert({{{10, 2}}, {{-5, -7}}}, &grid);
+  EXPECT_EQ(grid.box().min, (CellIndex{-5, -7}));
+  EXPECT_EQ(grid.box().width, 16);
+  EXPECT_EQ(grid.box().height, 10);
+}
+
+TEST(ScanInserter, LeavesFreeSpaceUnknownIfToldSo) {
+  ProbabilityGrid grid(0.05);
+  ScanInserter({0.7, 0.4, false}).Insert(kCells, &grid);
+  EXPECT_EQ(Draw(grid, kBox), ToText({"   7",  //
+                                      "   7"}));
+}
+
+TEST(ScanInserter, UpdatesACellOnceAScanHoweverManyBeamsMeetIt) {
+  // Two beams end in the cell (2, 0), and a third passes through it.
+  const RangeData data{{0.0, 0.0}, {{2.0, 0.0}, {2.1, 0.1}, {4.0, 0.0}}, {}};
+  ProbabilityGrid grid(1.0);
+  ScanInserter({0.7, 0.4, true}).Insert(CastRays(data, 1.0), &grid);
+  EXPECT_EQ(Draw(grid, {{0, 0}, 5, 1}), ToText({"44747"}));
+}
+
+}  // namespace
+}  // namespace loopscope

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/matching/bicubic_grid.h"
+
+#include <gtest/gtest.h>
+
+#include "core/simulation/random.h"
+#include "tests/support/random_world.h"
+
+namespace loopscope {
+namespace {
+
+constexpr double kCellValueStep = (kMaxProbability - kMinProbability) / (kMaxCellValue - 1);
+
+Eigen::Vector2d RandomPointIn(const ProbabilityGrid& grid, Random* random) {
+  // Two cells beyond the box as well.
+  const CellBox& box = grid.box();
+  return grid.resolution() * Eigen::Vector2d(box.min.x + random->Uniform(-2.0, box.width + 2.0),
+                                             box.min.y + random->Uniform(-2.0, box.height + 2.0));
+}
+
+Eigen::Vector2d NumericGradient(const BicubicGrid& smooth, const Eigen::Vector2d& point) {
+  constexpr double kStep = 1e-6;
+  Eigen::Vector2d gradient;
+  for (int axis = 0; axis < 2; ++axis) {
+    const Eigen::Vector2d step = kStep * Eigen::Vector2d::Unit(axis);
+    gradient[axis] =
+        (smooth.At(point + step).value - smooth.At(point - step).value) / (2.0 * kStep);
+  }
+  return gradient;
+}
+
+/// A grid of 12 x 12 cells at resolution 0.5 whose probability is `value(x, y)` in cells.
+template <typename Function>
+ProbabilityGrid GridOf(const Function& value) {
+  ProbabilityGrid grid(0.5);
+  grid.GrowToInclude({{0, 0}, 12, 12});
+  for (int y = 0; y < 12; ++y) {
+    for (int x = 0; x < 12; ++x) grid.Update({{x, y}}, OddsUpdate(value(x, y)));
+  }
+  return grid;
+}
+
+TEST(BicubicGrid, MeetsTheProbabilitiesAtTheGridPoints) {
+  Random random(1);
+  const ProbabilityGrid grid = RandomGrid(&random);
+  const BicubicGrid smooth(grid);
+  const CellBox& box = grid.box();
+  for (int y = box.min.y - 2; y < box.min.y + box.height + 2; ++y) {
+    for (int x = box.min.x - 2; x < box.min.x + box.width + 2; ++x) {
+      EXPECT_NEAR(smooth.At(CenterOf({x, y}, grid.resolution())).value, grid.probability({x, y}),
+                  1e-9);
+    }
+  }
+}
+
+TEST(BicubicGrid, HasTheGradientOfItsValue) {
+  Random random(2);
+  const ProbabilityGrid grid = RandomGrid(&random);
+  const BicubicGrid smooth(grid);
+  for (int i = 0; i < 1000; ++i) {
+    const Eigen::Vector2d point = RandomPointIn(grid, &random);
+    const Eigen::Vector2d expected = NumericGradient(smooth, point);
+    EXPECT_NEAR((smooth.At(point).gradient - expected).norm(), 0.0, 1e-2)
+        << "at " << point.transpose() << " expected " << expected.transpose();
+  }
+}
+
+TEST(BicubicGrid, HasNoStepOrKinkBetweenItsPatches) {
+  Random random(3);
+  const ProbabilityGrid grid = RandomGrid(&random);
+  const BicubicGrid smooth(grid);
+  for (int i = 0; i < 500; ++i) {
+    Eigen::Vector2d point = RandomPointIn(grid, &random);
+    const int axis = i % 2;
+    point[axis] = grid.resolution() * std::round(point[axis] / grid.resolution());
+    const Eigen::Vector2d aside = 1e-9 * Eigen::Vector2d::Unit(axis);
+    const SmoothValue before = smooth.At(point - aside);
+    const SmoothValue after = smooth.At(point + aside);
+    EXPECT_NEAR(before.value, after.value, 1e-6);
+    EXPECT_NEAR((before.gradient - after.gradient).norm(), 0.0, 1e-4);
+  }
+}
+
+TEST(BicubicGrid, ReproducesAParabola) {
+  // Cubic convolution of third order (Keys 1981) is exact up to the second degree.
+  const auto parabola = [](double x, double y) {
+    return 0.3 + 0.03 * x - 0.02 * y + 0.002 * x * x + 0.001 * x * y + 0.001 * y * y;
+  };
+  const ProbabilityGrid grid = GridOf(parabola);
+  const BicubicGrid smooth(grid);
+  Random random(4);
+  for (int i = 0; i < 200; ++i) {
+    const double x = random.Uniform(1.0, 10.0);
+    const double y = random.Uniform(1.0, 10.0);
+    const SmoothValue at = smooth.At(0.5 * Eigen::Vector2d(x, y));
+    EXPECT_NEAR(at.value, parabola(x, y), 2.0 * kCellValueStep);
+    EXPECT_NEAR(at.gradient.x(), (0.03 + 0.004 * x + 0.001 * y) / 0.5, 1e-3);
+    EXPECT_NEAR(at.gradient.y(), (-0.02 + 0.001 * x + 0.002 * y) / 0.5, 1e-3);
+  }
+}
+
+TEST(BicubicGrid, IsFlatAtTheLeastProbabilityFarFromTheMap) {
+  Random random(5);
+  const ProbabilityGrid grid = RandomGrid(&random);
+  const SmoothValue far = BicubicGrid(grid).At({100.0, -100.0});
+  EXPECT_NEAR(far.value, kMinProbability, 1e-12);
+  EXPECT_NEAR(far.gradient.norm(), 0.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace loopscope

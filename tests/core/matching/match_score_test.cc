@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/matching/match_score.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/ascii_grid.h"
+
+namespace loopscope {
+namespace {
+
+TEST(MeanProbability, IsTheMeanOfTheNearestCells) {
+  const ProbabilityGrid grid = GridDrawn({"2 8",  //
+                                          "146"},
+                                         1.0);
+  const PointCloud points = {{0.4, 0.4}, {1.6, 0.6}, {2.4, -0.4}};  // cells of 0.1, 0.8 and 0.6
+  EXPECT_NEAR(MeanProbability(points, Pose2(), grid), 0.5, 1e-4);
+}
+
+TEST(MeanProbability, CountsUnknownCellsAsTheLeast) {
+  const ProbabilityGrid grid = GridDrawn({"9 "}, 1.0);
+  EXPECT_NEAR(MeanProbability({{0.0, 0.0}, {1.0, 0.0}}, Pose2(), grid), 0.5, 1e-4);
+  EXPECT_NEAR(MeanProbability({{0.0, 0.0}, {50.0, 0.0}}, Pose2(), grid), 0.5, 1e-4);
+}
+
+TEST(MeanProbability, MovesTheScanToTheFrameOfTheSubmap) {
+  const ProbabilityGrid grid = GridDrawn({"7",  //
+                                          "1"},
+                                         1.0, {4, 5});
+  // The point two ahead of a scanner that looks to the upper side of the map.
+  EXPECT_NEAR(MeanProbability({{2.0, 0.0}}, Pose2(4.0, 4.0, M_PI / 2.0), grid), 0.7, 1e-4);
+}
+
+}  // namespace
+}  // namespace loopscope
