@@ -27,6 +27,8 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   int exit_code = 0;
   loopscope::AddMapCommand(&app, &exit_code);
+  loopscope::AddLoopsCommand(&app, &exit_code);
+  loopscope::AddWhyCommand(&app, &exit_code);
   try {
     app.parse(argc, argv);
     return exit_code;

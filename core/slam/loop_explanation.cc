@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/slam/loop_explanation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/graph/spa_cost.h"
+
+namespace loopscope {
+namespace {
+
+const LoopCandidate* FindCandidate(const Recording& recording, SubmapId submap, NodeId node) {
+  const auto& candidates = recording.candidates();
+  const auto found =
+      std::find_if(candidates.begin(), candidates.end(), [&](const LoopCandidate& candidate) {
+        return candidate.submap == submap && candidate.node == node;
+      });
+  return found == candidates.end() ? nullptr : &*found;
+}
+
+/// Collects checks until one fails.
+class Checklist {
+ public:
+  /// Whether to go on.
+  bool Add(LoopCheck check, const std::string& answer_if_failed) {
+    explanation_.checks.push_back(std::move(check));
+    if (explanation_.checks.back().passed) return true;
+    explanation_.answer = answer_if_failed;
+    return false;
+  }
+
+  LoopExplanation Closed(const std::string& answer) {
+    explanation_.closed = true;
+    explanation_.answer = answer;
+    return explanation_;
+  }
+
+  LoopExplanation explanation() const { return explanation_; }
+
+ private:
+  LoopExplanation explanation_;
+};
+
+LoopCheck FinishedCheck(const Submap& submap) {
+  const bool finished = submap.finished_step >= 0;
+  return {"submap finished", finished ? fmt::format("at scan {}", submap.finished_step) : "no",
+          "yes", finished};
+}
+
+LoopCheck OutsideCheck(const Submap& submap, NodeId node) {
+  const int last = submap.first_node.index + submap.num_nodes - 1;
+  const bool inside = submap.first_node.index <= node.index && node.index <= last;
+  return {"node outside of submap",
+          fmt::format("submap has nodes {} to {}", submap.first_node.index, last), "not among them",
+          !inside};
+}
+
+LoopCheck DistanceCheck(const LoopGate& gate, const ConstraintBuilderOptions& options) {
+  const double growth =
+      gate.linear_window - options.fast_correlative_scan_matcher.linear_search_window;
+  return {"distance to the submap's nodes", fmt::format("{:.2f} m", gate.distance),
+          fmt::format("at most {:.2f} m, {:.1f} m and {:.2f} m for drift over {:.0f} m of way",
+                      options.max_constraint_distance + growth, options.max_constraint_distance,
+                      growth, gate.way),
+          gate.is_near};
+}
+
+LoopCheck ScoreCheck(const LoopCandidate& candidate) {
+  return {"score",
+          fmt::format("{:.3f} in a window of {:.1f} m, {:.1f} deg (no pose there scores more than "
+                      "{:.3f})",
+                      candidate.score, candidate.linear_search_window,
+                      RadiansToDegrees(candidate.angular_search_window), candidate.score_bound),
+          fmt::format("more than {:.3f}", candidate.min_score),
+          candidate.score > candidate.min_score};
+}
+
+LoopCheck ConsistencyCheck(const LoopCandidate& candidate, const LoopConsistencyOptions& options) {
+  return {"other nodes with loops that agree", std::to_string(candidate.num_supporters),
+          fmt::format("at least {}", options.min_num_supporters),
+          candidate.verdict != Verdict::kInconsistent};
+}
+
+LoopCheck ResidualCheck(const Recording& recording, const LoopCandidate& candidate) {
+  const MapState state = StateAfterStep(recording, recording.num_steps() - 1);
+  const Eigen::Vector3d residual = LoopResidual(state, candidate);
+  return {"residual at the end",
+          fmt::format("{:.3f} m, {:.2f} deg", residual.head<2>().norm(),
+                      RadiansToDegrees(std::abs(residual.z()))),
+          "", true};
+}
+
+/// What a search that was not made would have found.
+std::string WouldHaveMatched(const Recording& recording, SubmapId submap, NodeId node) {
+  const auto replay = ReplaySearch(recording, submap, node);
+  const LoopCandidate& result = replay->result;
+  return fmt::format(
+      "Searched now, in {:.1f} m and {:.1f} deg around the estimate of then, it "
+      "scores {:.3f}; {:.3f} is needed.",
+      result.linear_search_window, RadiansToDegrees(result.angular_search_window), result.score,
+      result.min_score);
+}
+
+}  // namespace
+
+LoopExplanation ExplainLoop(const Recording& recording, SubmapId submap, NodeId node) {
+  const ConstraintBuilderOptions& options = recording.options().pose_graph.constraint_builder;
+  const Submap& record = recording.submap(submap);
+  Checklist list;
+  if (!list.Add(
+          FinishedCheck(record),
+          "Not closed: the submap was never finished, and only finished ones are searched.") ||
+      !list.Add(OutsideCheck(record, node),
+                "No loop: the node was inserted into the submap itself (INTRA_SUBMAP).")) {
+    return list.explanation();
+  }
+  const LoopGate gate = GateOfPair(recording, submap, node);
+  if (!list.Add(DistanceCheck(gate, options), "Not closed: too far apart to be searched. " +
+                                                  WouldHaveMatched(recording, submap, node))) {
+    return list.explanation();
+  }
+  const LoopCandidate* const candidate = FindCandidate(recording, submap, node);
+  const bool searched = candidate != nullptr && candidate->verdict != Verdict::kNotSampled;
+  if (!list.Add({"sampled", searched ? "yes" : "no",
+                 fmt::format("a share of {} of the pairs", options.sampling_ratio), searched},
+                "Not closed: the pair was near enough, but skipped by sampling_ratio. " +
+                    (searched ? "" : WouldHaveMatched(recording, submap, node)))) {
+    return list.explanation();
+  }
+  if (!list.Add(ScoreCheck(*candidate), "Not closed: nothing in the window matches well enough.") ||
+      !list.Add(ConsistencyCheck(*candidate, options.consistency),
+                "Not closed: it matched, but too few loops of other nodes say the same.")) {
+    return list.explanation();
+  }
+  list.Add(ResidualCheck(recording, *candidate), "");
+  return list.Closed(fmt::format("Closed: in the graph since scan {}.", candidate->applied_step));
+}
+
+Eigen::Vector3d LoopResidual(const MapState& state, const LoopCandidate& accepted) {
+  return SpaError(accepted.submap_from_node, state.global_from_submap[accepted.submap.index],
+                  state.global_from_node[accepted.node.index]);
+}
+
+std::string ToString(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kTooFar:
+      return "too far";
+    case Verdict::kNotSampled:
+      return "not sampled";
+    case Verdict::kBelowMinScore:
+      return "below score";
+    case Verdict::kInconsistent:
+      return "inconsistent";
+    case Verdict::kAccepted:
+      return "closed";
+  }
+  return "";
+}
+
+}  // namespace loopscope
