@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/geometry/trajectory.h"
+#include "core/slam/recording.h"
+#include "core/slam/state.h"
+
+namespace loopscope {
+
+// The way of the robot in the map frame, in the order of the stamps. (That of the log is another
+// one where stamps run backwards.)
+
+/// The optimized poses of the nodes, at the stamps of their scans.
+Trajectory NodeTrajectory(const Recording& recording, const MapState& state);
+
+/// A pose for every stamp of scans and odometry up to state.step; after the last scan of the log
+/// also for the odometry behind it. A node's pose is carried on by raw odometry, and what is
+/// missing to the next node is spread over the way there, linearly in time. Without odometry (or
+/// with use_odometry off), there are poses for scans only, carried on by local SLAM.
+Trajectory DenseTrajectory(const Recording& recording, const MapState& state);
+
+}  // namespace loopscope
