@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/slam/slam.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/evaluation/trajectory_error.h"
+#include "core/io/recording_hash.h"
+#include "tests/support/mapped_log.h"
+#include "tests/support/pose_matchers.h"
+
+namespace loopscope {
+namespace {
+
+int NumCandidates(const Recording& recording, Verdict verdict) {
+  int count = 0;
+  for (const LoopCandidate& c : recording.candidates()) count += c.verdict == verdict ? 1 : 0;
+  return count;
+}
+
+class SlamInTheSmallLoop : public ::testing::TestWithParam<std::uint64_t> {};
+
+INSTANTIATE_TEST_SUITE_P(Seeds, SlamInTheSmallLoop, ::testing::Values(1, 2, 3));
+
+TEST_P(SlamInTheSmallLoop, IsWithin5CentimetresWhereOdometryIsOffByMetres) {
+  const Simulation simulation = SimulateSmallLoop(GetParam());
+  const Recording recording = MapLog(simulation.log, SmallLoopOptions());
+  const auto odometry =
+      EvaluateTrajectory(simulation.ground_truth, OdometryTrajectoryOf(simulation.log));
+  EXPECT_GT(odometry->translation.rmse, 1.0);
+  const auto error = EvaluateTrajectory(simulation.ground_truth, TrajectoryOf(recording));
+  EXPECT_LT(error->translation.rmse, 0.05);
+  EXPECT_LT(error->rotation.rmse, DegreesToRadians(1.0));
+  EXPECT_GT(NumCandidates(recording, Verdict::kAccepted), 20);
+}
+
+TEST(Slam, MapsALongLoopWithOurPresetAsItIs) {
+  const Simulation simulation = Simulate(MakeWorld("loop"), {});
+  const auto odometry =
+      EvaluateTrajectory(simulation.ground_truth, OdometryTrajectoryOf(simulation.log));
+  EXPECT_GT(odometry->translation.rmse, 1.0);
+  const Recording recording = MapLog(simulation.log, LoopscopePreset(), 2);
+  const auto error = EvaluateTrajectory(simulation.ground_truth, TrajectoryOf(recording));
+  EXPECT_LT(error->translation.rmse, 0.05);
+}
+
+TEST(Slam, GivesTheSameRecordingOnAnyNumberOfThreads) {
+  const Simulation simulation = SimulateSmallLoop();
+  const Recording one_thread = MapLog(simulation.log, SmallLoopOptions(), 1);
+  ASSERT_GT(NumCandidates(one_thread, Verdict::kAccepted), 0);
+  for (const int num_threads : {1, 2, 4}) {
+    const Recording recording = MapLog(simulation.log, SmallLoopOptions(), num_threads);
+    EXPECT_EQ(HashOfRecording(recording), HashOfRecording(one_thread)) << num_threads;
+  }
+}
+
+TEST(Slam, RecordsAVerdictOnEveryPairThatItConsidered) {
+  Options options = SmallLoopOptions();
+  options.pose_graph.constraint_builder.sampling_ratio = 0.5;
+  const Recording recording = MapLog(SimulateSmallLoop().log, options);
+  EXPECT_GT(NumCandidates(recording, Verdict::kAccepted), 0);
+  EXPECT_GT(NumCandidates(recording, Verdict::kBelowMinScore), 0);
+  EXPECT_GT(NumCandidates(recording, Verdict::kNotSampled), 0);
+  EXPECT_EQ(NumCandidates(recording, Verdict::kTooFar), 0);  // these follow from the state
+  for (const LoopCandidate& candidate : recording.candidates()) {
+    EXPECT_LE(candidate.considered_step, candidate.applied_step);
+    if (candidate.verdict == Verdict::kNotSampled) continue;
+    EXPECT_EQ(candidate.score > candidate.min_score, candidate.verdict != Verdict::kBelowMinScore);
+    EXPECT_GE(candidate.score_bound, candidate.score);
+  }
+}
+
+TEST(Slam, OptimizesEveryNNodesAndAtTheEnd) {
+  const Recording recording = MapLog(SimulateSmallLoop().log, SmallLoopOptions());
+  const int every = SmallLoopOptions().pose_graph.optimize_every_n_nodes;
+  const auto& optimizations = recording.optimizations();
+  ASSERT_GT(optimizations.size(), 3u);
+  for (std::size_t i = 0; i + 1 < optimizations.size(); ++i) {
+    EXPECT_EQ(optimizations[i].global_from_node.size(), (i + 1) * every);
+    EXPECT_FALSE(optimizations[i].final);
+  }
+  EXPECT_TRUE(optimizations.back().final);
+  EXPECT_EQ(optimizations.back().step, recording.num_steps() - 1);
+  EXPECT_EQ(optimizations.back().global_from_node.size(), recording.nodes().size());
+}
+
+TEST(Slam, HoldsSubmap0) {
+  const Recording recording = MapLog(SimulateSmallLoop().log, SmallLoopOptions());
+  for (const Optimization& optimization : recording.optimizations()) {
+    EXPECT_EQ(optimization.global_from_submap[0], recording.submaps()[0].local_from_submap);
+  }
+}
+
+TEST(Slam, SearchesNoLoopsIfItNeverOptimizes) {
+  Options options = SmallLoopOptions();
+  options.pose_graph.optimize_every_n_nodes = 0;
+  const Recording recording = MapLog(SimulateSmallLoop().log, options);
+  EXPECT_TRUE(recording.candidates().empty());
+  ASSERT_EQ(recording.optimizations().size(), 1u);
+  EXPECT_THAT(recording.optimizations()[0].global_from_node.back(),
+              PoseNear(recording.nodes().back().local_from_base, 1e-6, 1e-6));
+}
+
+ScanLog FirstScans(int num_scans) {
+  ScanLog log = SimulateSmallLoop().log;
+  log.scans.resize(num_scans);
+  return log;
+}
+
+void Blind(LaserScan* scan) {
+  for (float& range : scan->ranges) range = std::numeric_limits<float>::infinity();
+}
+
+TEST(Slam, OfAnEmptyLogIsNothing) {
+  const Recording recording = MapLog(FirstScans(0), SmallLoopOptions());
+  EXPECT_EQ(recording.num_steps(), 0);
+  EXPECT_TRUE(recording.submaps().empty());
+  EXPECT_TRUE(recording.optimizations().empty());
+}
+
+TEST(Slam, OfASingleScanIsOneNodeInOneSubmap) {
+  const Recording recording = MapLog(FirstScans(1), SmallLoopOptions());
+  ASSERT_EQ(recording.nodes().size(), 1u);
+  ASSERT_EQ(recording.submaps().size(), 1u);
+  EXPECT_EQ(recording.step(0).outcome, StepOutcome::kInserted);
+  ASSERT_EQ(recording.optimizations().size(), 1u);
+  EXPECT_TRUE(recording.optimizations()[0].final);
+  EXPECT_EQ(StateAfterStep(recording, 0).global_from_base, Pose2());
+}
+
+TEST(Slam, OfScansWithoutReturnsFollowsOdometryAndMapsNothing) {
+  ScanLog log = FirstScans(20);
+  for (LaserScan& scan : log.scans) Blind(&scan);
+  const Recording recording = MapLog(log, SmallLoopOptions());
+  EXPECT_TRUE(recording.nodes().empty());
+  EXPECT_TRUE(recording.optimizations().empty());
+  EXPECT_EQ(recording.step(7).outcome, StepOutcome::kNoReturns);
+  const Pose2 odometry_motion =
+      OdometryOfScan(log, 0)->odom_from_base.Inverse() * OdometryOfScan(log, 19)->odom_from_base;
+  EXPECT_THAT(StateAfterStep(recording, 19).global_from_base,
+              PoseNear(odometry_motion, 1e-9, 1e-9));
+}
+
+TEST(Slam, BeginsWithTheFirstScanThatHasReturnsAndEndsWithOneThatHasNone) {
+  ScanLog log = FirstScans(30);
+  for (const int scan : {0, 1, 2, 29}) Blind(&log.scans[scan]);
+  const Recording recording = MapLog(log, SmallLoopOptions());
+  ASSERT_FALSE(recording.nodes().empty());
+  EXPECT_EQ(recording.nodes()[0].step, 3);
+  EXPECT_EQ(recording.optimizations().back().step, 29);
+}
+
+TEST(Slam, MapsWithoutOdometry) {
+  SimulationOptions simulation_options;
+  simulation_options.lidar.beams = {361, -M_PI, DegreesToRadians(1.0)};
+  Simulation simulation = Simulate(SmallLoopWorld(), simulation_options);
+  simulation.log.odometry.clear();
+  for (LaserScan& scan : simulation.log.scans) scan.num_odometry_before = 0;
+  const Recording recording = MapLog(simulation.log, SmallLoopOptions());
+  const auto error = EvaluateTrajectory(simulation.ground_truth, TrajectoryOf(recording));
+  EXPECT_LT(error->translation.rmse, 0.05);
+}
+
+}  // namespace
+}  // namespace loopscope
