@@ -2,13 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/slam/derive.h"
 
-#include <algorithm>
 #include <cassert>
 #include <utility>
 
-#include "core/graph/loop_gate.h"
 #include "core/graph/loop_search.h"
-#include "core/graph/travel_graph.h"
 #include "core/grid/ray_cast.h"
 #include "core/local/scan_preparation.h"
 #include "core/matching/match_score.h"
@@ -29,80 +26,6 @@ std::optional<SubmapId> MatchingSubmapOfStep(const Recording& recording, int ste
     if (begun && active) return SubmapId{i};
   }
   return std::nullopt;
-}
-
-bool LiesIn(const Submap& submap, NodeId node) {
-  return submap.first_node.index <= node.index &&
-         node.index < submap.first_node.index + submap.num_nodes;
-}
-
-/// The pair as the mapper considered it, if it did so and searched it.
-std::optional<LoopCandidate> SearchedCandidate(const Recording& recording, SubmapId submap,
-                                               NodeId node) {
-  const auto& candidates = recording.candidates();
-  const auto found =
-      std::find_if(candidates.begin(), candidates.end(), [&](const LoopCandidate& candidate) {
-        return candidate.submap == submap && candidate.node == node &&
-               candidate.verdict != Verdict::kNotSampled;
-      });
-  if (found == candidates.end()) return std::nullopt;
-  return *found;
-}
-
-/// When a pair came up: at the later of the node's insertion and the submap's end.
-int ConsideredStep(const Recording& recording, SubmapId submap, NodeId node) {
-  return std::max(recording.submap(submap).finished_step, recording.node(node).step);
-}
-
-Eigen::AlignedBox2d NodeBox(const Recording& recording, SubmapId submap) {
-  const Submap& record = recording.submap(submap);
-  Eigen::AlignedBox2d box;
-  for (int i = record.first_node.index; i < record.first_node.index + record.num_nodes; ++i) {
-    box.extend(SubmapFromNode(recording, submap, NodeId{i}).translation);
-  }
-  return box;
-}
-
-double MinLoopScoreOf(const Recording& recording, SubmapId submap) {
-  const Submap& record = recording.submap(submap);
-  std::vector<PointCloud> points;
-  std::vector<PlacedScan> own_nodes;
-  points.reserve(record.num_nodes);
-  for (int i = record.first_node.index; i < record.first_node.index + record.num_nodes; ++i) {
-    points.push_back(LoopPointsOfNode(recording, NodeId{i}));
-    own_nodes.push_back({&points.back(), SubmapFromNode(recording, submap, NodeId{i})});
-  }
-  return MinLoopScore(own_nodes, GridOfSubmap(recording, submap),
-                      recording.options().pose_graph.constraint_builder);
-}
-
-/// [m] that the robot had gone at each node.
-std::vector<double> NodeWays(const Recording& recording) {
-  std::vector<double> ways;
-  for (std::size_t i = 0; i < recording.nodes().size(); ++i) {
-    ways.push_back(i == 0 ? 0.0
-                          : ways.back() + (recording.nodes()[i].local_from_base.translation -
-                                           recording.nodes()[i - 1].local_from_base.translation)
-                                              .norm());
-  }
-  return ways;
-}
-
-/// What the mapper knew of the ways between submaps in `state`.
-TravelGraph TravelGraphOf(const Recording& recording, const MapState& state) {
-  TravelGraph graph;
-  const std::vector<double> ways = NodeWays(recording);
-  double way_before = 0.0;
-  for (int i = 0; i < state.num_submaps; ++i) {
-    const double way = ways[recording.submaps()[i].first_node.index];
-    graph.AddSubmap(way - std::exchange(way_before, way));
-  }
-  for (int i = 0; i < state.num_candidates; ++i) {
-    const LoopCandidate& candidate = recording.candidates()[i];
-    if (candidate.verdict != Verdict::kAccepted) continue;
-    graph.AddLoop(candidate.submap, recording.node(candidate.node).first_submap);
-  }
-  return graph;
 }
 
 }  // namespace
@@ -194,50 +117,6 @@ std::optional<MatchReplay> ReplayMatch(const Recording& recording, int step) {
   replay.prior_score = MeanProbability(replay.points, replay.submap_from_base_prior, replay.grid);
   replay.score = MeanProbability(replay.points, replay.submap_from_base, replay.grid);
   return replay;
-}
-
-std::optional<SearchReplay> ReplaySearch(const Recording& recording, SubmapId submap, NodeId node,
-                                         std::optional<double> min_score) {
-  const Submap& record = recording.submap(submap);
-  if (record.finished_step < 0 || LiesIn(record, node)) return std::nullopt;
-  const std::optional<LoopCandidate> searched = SearchedCandidate(recording, submap, node);
-  SearchReplay replay{
-      searched.value_or(LoopCandidate{}), searched.has_value(), GridOfSubmap(recording, submap),
-      LoopPointsOfNode(recording, node),  LoopCandidate{},      SearchTrace{}};
-  if (!searched) replay.candidate = ConsiderPair(recording, submap, node);
-  if (min_score) replay.candidate.min_score = *min_score;
-  const ConstraintBuilderOptions& options = recording.options().pose_graph.constraint_builder;
-  const BranchAndBoundMatcher matcher(replay.grid,
-                                      options.fast_correlative_scan_matcher.branch_and_bound_depth);
-  replay.result = SearchLoop(replay.candidate, replay.points, replay.grid, matcher,
-                             options.ceres_scan_matcher, &replay.trace);
-  return replay;
-}
-
-LoopGate GateOfPair(const Recording& recording, SubmapId submap, NodeId node) {
-  const MapState state = StateAfterStep(recording, ConsideredStep(recording, submap, node));
-  const Pose2 guess =
-      state.global_from_submap[submap.index].Inverse() * state.global_from_node[node.index];
-  const std::vector<double> ways = TravelGraphOf(recording, state).WaysFrom(submap);
-  return EvaluateLoopGate(guess, NodeBox(recording, submap),
-                          ways[recording.node(node).first_submap.index],
-                          recording.options().pose_graph.constraint_builder);
-}
-
-LoopCandidate ConsiderPair(const Recording& recording, SubmapId submap, NodeId node) {
-  LoopCandidate candidate;
-  candidate.submap = submap;
-  candidate.node = node;
-  candidate.considered_step = ConsideredStep(recording, submap, node);
-  const MapState state = StateAfterStep(recording, candidate.considered_step);
-  candidate.submap_from_node_guess =
-      state.global_from_submap[submap.index].Inverse() * state.global_from_node[node.index];
-  const LoopGate gate = GateOfPair(recording, submap, node);
-  candidate.linear_search_window = gate.linear_window;
-  candidate.angular_search_window = gate.angular_window;
-  candidate.min_score = MinLoopScoreOf(recording, submap);
-  candidate.verdict = gate.is_near ? Verdict::kNotSampled : Verdict::kTooFar;
-  return candidate;
 }
 
 }  // namespace loopscope

@@ -53,11 +53,12 @@ struct MatchReplay {
 /// Nothing if the scan was not matched: it was the first, or had no returns.
 std::optional<MatchReplay> ReplayMatch(const Recording& recording, int step);
 
-/// The gate that a pair had to go through when it came up, from the poses after that step.
+/// The gate that a pair had to go through when it came up: at the later of the node's insertion and
+/// the submap's end, which must have finished.
 LoopGate GateOfPair(const Recording& recording, SubmapId submap, NodeId node);
 
-/// The pair when it came up: at the later of the node's insertion and the submap's end, which must
-/// have finished; guess and verdict (kTooFar or kNotSampled) from the poses after that step.
+/// The pair when it came up, as the mapper asked for it to be searched; the verdict is kTooFar, or
+/// kNotSampled if it went through the gate. The submap must have finished.
 LoopCandidate ConsiderPair(const Recording& recording, SubmapId submap, NodeId node);
 
 /// A loop search made once more, exactly as the mapper did or would have.
@@ -72,7 +73,8 @@ struct SearchReplay {
 };
 
 /// Replays the search of `node` in the finished `submap`. Nothing if the submap never was finished,
-/// or the node lies in it. `min_score` overrides that of the options.
+/// or the node lies in it or has no points to search with. `min_score` overrides that of the
+/// options.
 std::optional<SearchReplay> ReplaySearch(const Recording& recording, SubmapId submap, NodeId node,
                                          std::optional<double> min_score = std::nullopt);
 

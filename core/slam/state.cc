@@ -17,9 +17,8 @@ int NumUntil(const std::vector<Item>& items, int step, const StepOf& step_of) {
   return static_cast<int>(end - items.begin());
 }
 
-}  // namespace
-
-MapState StateAfterStep(const Recording& recording, int step) {
+/// The state after `step`, with loops and optimizations up to `last_optimized_step`.
+MapState StateAt(const Recording& recording, int step, int last_optimized_step) {
   assert(0 <= step && step < recording.num_steps());
   MapState state;
   state.step = step;
@@ -27,10 +26,10 @@ MapState StateAfterStep(const Recording& recording, int step) {
   state.num_submaps = NumUntil(recording.submaps(), step, [&](const Submap& submap) {
     return recording.node(submap.first_node).step;
   });
-  state.num_candidates =
-      NumUntil(recording.candidates(), step, [](const LoopCandidate& c) { return c.applied_step; });
-  state.num_optimizations =
-      NumUntil(recording.optimizations(), step, [](const Optimization& o) { return o.step; });
+  state.num_candidates = NumUntil(recording.candidates(), last_optimized_step,
+                                  [](const LoopCandidate& c) { return c.applied_step; });
+  state.num_optimizations = NumUntil(recording.optimizations(), last_optimized_step,
+                                     [](const Optimization& o) { return o.step; });
 
   std::vector<Pose2> local_from_submap;
   for (int i = 0; i < state.num_submaps; ++i) {
@@ -52,6 +51,16 @@ MapState StateAfterStep(const Recording& recording, int step) {
   }
   state.global_from_base = GlobalFromBase(recording, state, step);
   return state;
+}
+
+}  // namespace
+
+MapState StateAfterStep(const Recording& recording, int step) {
+  return StateAt(recording, step, step);
+}
+
+MapState StateBeforeOptimization(const Recording& recording, int step) {
+  return StateAt(recording, step, step - 1);
 }
 
 Pose2 GlobalFromBase(const Recording& recording, const MapState& state, int step) {

@@ -26,6 +26,10 @@ struct MapState {
 /// run it includes the final optimization.
 MapState StateAfterStep(const Recording& recording, int step);
 
+/// What the pairs that came up at scan `step` were judged by: the state after it, but without the
+/// optimization that it set off and the loops that entered the graph with that.
+MapState StateBeforeOptimization(const Recording& recording, int step);
+
 /// Where the robot was at scan `step` <= state.step, as `state` has it: the pose of the last node
 /// until then, carried on by local SLAM.
 Pose2 GlobalFromBase(const Recording& recording, const MapState& state, int step);
