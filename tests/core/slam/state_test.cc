@@ -111,6 +111,27 @@ TEST(StateAfterStep, CarriesNewNodesWithTheSubmapThatWasNewestAtTheOptimization)
   }
 }
 
+TEST(StateBeforeOptimization, HoldsTheNodeOfTheStepButNotWhatTheOptimizationBrought) {
+  const Recording recording = MapLog(SimulateSmallLoop().log, SmallLoopOptions());
+  const int step = recording.optimizations()[11].step;
+  const MapState before = StateBeforeOptimization(recording, step);
+  const MapState after = StateAfterStep(recording, step);
+  EXPECT_EQ(before.num_nodes, after.num_nodes);
+  EXPECT_EQ(before.num_submaps, after.num_submaps);
+  EXPECT_EQ(before.num_optimizations, 11);
+  EXPECT_EQ(after.num_optimizations, 12);
+  EXPECT_LT(before.num_candidates, after.num_candidates);
+  EXPECT_EQ(before.global_from_local, StateAfterStep(recording, step - 1).global_from_local);
+  EXPECT_EQ(before.global_from_node.back(),
+            before.global_from_local * recording.nodes()[before.num_nodes - 1].local_from_base);
+}
+
+TEST(StateBeforeOptimization, IsTheStateAfterAStepThatSetOffNone) {
+  const Recording recording = MapLog(SimulateSmallLoop().log, SmallLoopOptions());
+  const int step = recording.optimizations()[11].step - 1;
+  ExpectEqual(StateBeforeOptimization(recording, step), StateAfterStep(recording, step));
+}
+
 TEST(GlobalFromBase, IsThePoseOfTheNodeWhereAScanBecameOne) {
   const Recording recording = MapLog(SimulateSmallLoop().log, SmallLoopOptions());
   const MapState state = StateAfterStep(recording, recording.num_steps() - 1);
