@@ -60,7 +60,7 @@ std::pair<std::string, std::string> SplitKey(const std::string& key) {
 
 // Names weigh more than groups, which are left out or moved more often.
 int KeyDistance(const std::string& a, const std::string& b) {
-  constexpr int kNameWeight = 3;
+  constexpr int kNameWeight = 10;
   const auto [a_groups, a_name] = SplitKey(a);
   const auto [b_groups, b_name] = SplitKey(b);
   return kNameWeight * EditDistance(a_name, b_name) + EditDistance(a_groups, b_groups);
