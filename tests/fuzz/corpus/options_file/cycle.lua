@@ -1,0 +1,1 @@
+t = {} t.t = t return t

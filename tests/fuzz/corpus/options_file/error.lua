@@ -1,0 +1,1 @@
+function f(...) return f(...) end for i = 1, 10 do goto l ::l:: end error(f)

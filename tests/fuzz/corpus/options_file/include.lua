@@ -1,0 +1,1 @@
+include "fuzz.lua" include "../x.lua" include "/etc/passwd"

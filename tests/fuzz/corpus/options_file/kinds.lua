@@ -1,0 +1,1 @@
+return {map_builder = {pose_graph = {huber_scale = 0/0, [1] = 2, [{}] = function() end}}}
