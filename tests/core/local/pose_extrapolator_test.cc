@@ -42,9 +42,10 @@ TEST(PoseExtrapolator, AddsTheMotionThatOdometryMeasured) {
 
 TEST(PoseExtrapolator, BelievesOdometryWhateverTheStampsSay) {
   PoseExtrapolator extrapolator;
-  extrapolator.AddPose(10.0, kStart, Pose2());
-  extrapolator.AddPose(11.0, kStart * kSecondMotion, Pose2(9.0, 9.0, 1.0));
-  EXPECT_THAT(extrapolator.Predict(10.5, Pose2(9.0, 9.0, 1.0)),
+  const Pose2 odom_from_base(9.0, 9.0, 1.0);
+  extrapolator.AddPose(10.0, Pose2(), Pose2());
+  extrapolator.AddPose(11.0, kStart, odom_from_base);
+  EXPECT_THAT(extrapolator.Predict(10.5, odom_from_base * kSecondMotion),
               PoseNear(kStart * kSecondMotion, 1e-12, 1e-12));
 }
 

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/local/scan_matching.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/pose_matchers.h"
+#include "tests/support/simulated_room.h"
+
+namespace loopscope {
+namespace {
+
+using ::testing::Not;
+
+const Pose2 kTruth(2.0, 0.8, 0.4);
+
+/// A prior that only a wide search can mend.
+const Pose2 kWrongPrior = kTruth * Pose2(0.5, -0.4, DegreesToRadians(60.0));
+
+class ScanMatching : public ::testing::Test {
+ protected:
+  ScanMatch Match(const Pose2& prior, double expected_score) const {
+    return MatchScan(points_, room_.grid(), prior, expected_score, options_);
+  }
+
+  LocalSlamOptions options_;
+
+ private:
+  const SimulatedRoom room_;
+  const PointCloud points_ = room_.ScanAt(kTruth);
+};
+
+TEST_F(ScanMatching, RefinesThePrior) {
+  const ScanMatch match = Match(kTruth * Pose2(0.03, 0.02, 0.01), 0.0);
+  EXPECT_THAT(match.submap_from_base, PoseNear(kTruth, 0.02, 0.01));
+  EXPECT_FALSE(match.submap_from_base_correlative);
+}
+
+TEST_F(ScanMatching, StartsFromWhatTheCorrelativeMatcherFindsIfThatIsOn) {
+  options_.use_online_correlative_scan_matching = true;
+  const ScanMatch match = Match(kTruth * Pose2(0.09, 0.08, 0.2), 0.0);
+  ASSERT_TRUE(match.submap_from_base_correlative);
+  EXPECT_THAT(*match.submap_from_base_correlative, PoseNear(kTruth, 0.06, 0.03));
+  // (CS) is pulled back to the place of the prior, but not to its turn.
+  EXPECT_THAT(match.submap_from_base, PoseNear(kTruth, 0.13, 0.01));
+}
+
+TEST_F(ScanMatching, SearchesWidelyForAScanThatMatchesWorseThanExpected) {
+  options_.recovery.min_relative_score = 0.6;
+  const ScanMatch match = Match(kWrongPrior, 0.9);
+  EXPECT_THAT(match.submap_from_base, PoseNear(kTruth, 0.02, 0.01));
+  EXPECT_TRUE(match.submap_from_base_correlative);
+}
+
+TEST_F(ScanMatching, StaysNearThePriorIfNothingBetterWasExpected) {
+  options_.recovery.min_relative_score = 0.6;
+  EXPECT_THAT(Match(kWrongPrior, 0.0).submap_from_base, Not(PoseNear(kTruth, 0.2, 0.2)));
+}
+
+TEST_F(ScanMatching, NeverSearchesWidelyIfThatIsOff) {
+  options_.recovery.min_relative_score = 0.0;
+  EXPECT_THAT(Match(kWrongPrior, 0.9).submap_from_base, Not(PoseNear(kTruth, 0.2, 0.2)));
+}
+
+TEST_F(ScanMatching, KeepsTheNearMatchIfTheWideSearchGainsTooLittle) {
+  options_.recovery.min_relative_score = 1.0;
+  const Pose2 prior = kTruth * Pose2(0.03, 0.02, 0.01);
+  const ScanMatch match = Match(prior, 1.0);
+  EXPECT_EQ(match.submap_from_base, Match(prior, 0.0).submap_from_base);
+  EXPECT_FALSE(match.submap_from_base_correlative);
+}
+
+}  // namespace
+}  // namespace loopscope
