@@ -21,7 +21,7 @@ struct BranchAndBoundOptions {
 
 struct SearchResult {
   Pose2 submap_from_scan;
-  double score = 0.0;  ///< mean of M_nearest at the points, in [0.1, 0.9]
+  double score = 0.0;  ///< mean of M_nearest (256 steps) at the points, in [0.1, 0.9]
 };
 
 struct SearchOutcome {

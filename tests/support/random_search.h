@@ -28,9 +28,9 @@ class RandomSearch {
  private:
   explicit RandomSearch(Random random)
       : world_(MakeRandomWorld(&random)),
-        submap_from_scan_guess_(world_.submap_from_scan * Pose2(random.Uniform(-0.3, 0.3),
+        submap_from_scan_guess_(world_.submap_from_scan * Pose2{random.Uniform(-0.3, 0.3),
                                                                 random.Uniform(-0.3, 0.3),
-                                                                random.Uniform(-0.2, 0.2))),
+                                                                random.Uniform(-0.2, 0.2)}),
         linear_window_(random.Uniform(0.0, 0.5)),
         angular_window_(random.Uniform(0.0, 0.25)),
         depth_(1 + random.Below(6)) {}

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "core/grid/probability_grid.h"
@@ -9,6 +10,9 @@
 #include "core/simulation/random.h"
 
 namespace loopscope {
+
+// Random numbers are drawn within braces, which fix the order; parentheses leave it to the
+// compiler.
 
 /// A grid of a few straight walls in a litter of other probabilities and holes, and a scan that
 /// fits to it at `submap_from_scan`, but for some points.
@@ -25,9 +29,9 @@ inline std::vector<int> RandomTenths(const CellBox& box, Random* random) {
   for (int wall = 0; wall < 4; ++wall) {
     const Eigen::Vector2d size(box.width, box.height);
     const Eigen::Vector2d from =
-        size.cwiseProduct(Eigen::Vector2d(random->Uniform(), random->Uniform()));
+        size.cwiseProduct(Eigen::Vector2d{random->Uniform(), random->Uniform()});
     const Eigen::Vector2d to =
-        size.cwiseProduct(Eigen::Vector2d(random->Uniform(), random->Uniform()));
+        size.cwiseProduct(Eigen::Vector2d{random->Uniform(), random->Uniform()});
     for (double t = 0.0; t < 1.0; t += 0.01) {
       const Eigen::Vector2d place = from + t * (to - from);
       tenths[static_cast<int>(place.y()) * box.width + static_cast<int>(place.x())] =
@@ -67,14 +71,14 @@ inline RandomWorld MakeRandomWorld(Random* random) {
   const Eigen::Vector2d middle =
       r * Eigen::Vector2d(box.min.x + 0.5 * box.width, box.min.y + 0.5 * box.height);
   world.submap_from_scan =
-      Pose2(middle + Eigen::Vector2d(random->Uniform(-0.3, 0.3), random->Uniform(-0.3, 0.3)),
-            random->Uniform(-M_PI, M_PI));
+      Pose2{middle + Eigen::Vector2d{random->Uniform(-0.3, 0.3), random->Uniform(-0.3, 0.3)},
+            random->Uniform(-M_PI, M_PI)};
   while (world.points_in_scan.size() < 25) {
     const CellIndex cell{box.min.x + random->Below(box.width),
                          box.min.y + random->Below(box.height)};
     const bool stray = random->Below(200) == 0;
     if (!stray && world.grid.probability(cell) < 0.65) continue;
-    const Eigen::Vector2d jitter(random->Uniform(-0.4, 0.4) * r, random->Uniform(-0.4, 0.4) * r);
+    const Eigen::Vector2d jitter{random->Uniform(-0.4, 0.4) * r, random->Uniform(-0.4, 0.4) * r};
     world.points_in_scan.push_back(world.submap_from_scan.Inverse() * (CenterOf(cell, r) + jitter));
   }
   return world;

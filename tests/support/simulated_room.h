@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
+
 #include "core/grid/ray_cast.h"
 #include "core/grid/scan_inserter.h"
 #include "core/simulation/lidar.h"

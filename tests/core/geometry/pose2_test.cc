@@ -15,8 +15,8 @@ namespace {
 constexpr int kNumRandomCases = 1000;
 
 Pose2 RandomPose(Random& random) {
-  return Pose2(random.Uniform(-50.0, 50.0), random.Uniform(-50.0, 50.0),
-               random.Uniform(-M_PI, M_PI));
+  return Pose2{random.Uniform(-50.0, 50.0), random.Uniform(-50.0, 50.0),
+               random.Uniform(-M_PI, M_PI)};
 }
 
 /// The oracle of all algebra: homogeneous matrices.
@@ -80,7 +80,7 @@ TEST(Pose2, MultipliesAsHomogeneousMatricesDo) {
   for (int i = 0; i < kNumRandomCases; ++i) {
     const Pose2 c_from_b = RandomPose(random);
     const Pose2 b_from_a = RandomPose(random);
-    const Eigen::Vector2d in_a(random.Uniform(-9.0, 9.0), random.Uniform(-9.0, 9.0));
+    const Eigen::Vector2d in_a{random.Uniform(-9.0, 9.0), random.Uniform(-9.0, 9.0)};
     const Eigen::Matrix3d product = MatrixOf(c_from_b) * MatrixOf(b_from_a);
     EXPECT_TRUE(MatrixOf(c_from_b * b_from_a).isApprox(product, 1e-12));
     const Eigen::Vector3d in_b = MatrixOf(b_from_a) * Eigen::Vector3d(in_a.x(), in_a.y(), 1.0);

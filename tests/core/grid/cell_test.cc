@@ -19,7 +19,7 @@ void ExpectBox(const CellBox& box, CellIndex min, int width, int height) {
 TEST(CellOf, IsTheNearestGridPoint) {
   Random random(1);
   for (int i = 0; i < 1000; ++i) {
-    const Eigen::Vector2d point(random.Uniform(-9.0, 9.0), random.Uniform(-9.0, 9.0));
+    const Eigen::Vector2d point{random.Uniform(-9.0, 9.0), random.Uniform(-9.0, 9.0)};
     const Eigen::Vector2d offset = point - CenterOf(CellOf(point, 0.05), 0.05);
     EXPECT_LE(offset.cwiseAbs().maxCoeff(), 0.025 + 1e-12);
   }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/matching/bicubic_grid.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "core/simulation/random.h"
@@ -15,8 +17,8 @@ constexpr double kCellValueStep = (kMaxProbability - kMinProbability) / (kMaxCel
 Eigen::Vector2d RandomPointIn(const ProbabilityGrid& grid, Random* random) {
   // Two cells beyond the box as well.
   const CellBox& box = grid.box();
-  return grid.resolution() * Eigen::Vector2d(box.min.x + random->Uniform(-2.0, box.width + 2.0),
-                                             box.min.y + random->Uniform(-2.0, box.height + 2.0));
+  return grid.resolution() * Eigen::Vector2d{box.min.x + random->Uniform(-2.0, box.width + 2.0),
+                                             box.min.y + random->Uniform(-2.0, box.height + 2.0)};
 }
 
 Eigen::Vector2d NumericGradient(const BicubicGrid& smooth, const Eigen::Vector2d& point) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/matching/branch_and_bound.h"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 
 #include "core/sensor/voxel_filter.h"

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/matching/ceres_scan_matcher.h"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 
 #include "core/matching/scan_match_cost.h"
@@ -26,11 +28,11 @@ TEST(MatchWithCeres, BringsAScanBackFromRandomOffsetsOfACell) {
   const SimulatedRoom room;
   Random random(1);
   for (int i = 0; i < 50; ++i) {
-    const Pose2 truth(random.Uniform(1.0, 3.0), random.Uniform(-0.5, 1.5),
-                      random.Uniform(-M_PI, M_PI));
-    const Pose2 start(truth.x() + random.Uniform(-0.05, 0.05),
+    const Pose2 truth{random.Uniform(1.0, 3.0), random.Uniform(-0.5, 1.5),
+                      random.Uniform(-M_PI, M_PI)};
+    const Pose2 start{truth.x() + random.Uniform(-0.05, 0.05),
                       truth.y() + random.Uniform(-0.05, 0.05),
-                      truth.rotation + random.Uniform(-0.05, 0.05));
+                      truth.rotation + random.Uniform(-0.05, 0.05)};
     const CeresMatch match =
         MatchWithCeres(room.ScanAt(truth), room.grid(), start.translation, start, kWeakPriors);
     EXPECT_THAT(match.submap_from_scan, PoseNear(truth, 0.01, 0.004))

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/matching/correlative_scan_matcher.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gmock/gmock.h>
