@@ -5,19 +5,11 @@
 #include <optional>
 #include <vector>
 
+#include "core/graph/consecutive_nodes.h"
 #include "core/graph/constraint.h"
 #include "core/graph/pose_graph_options.h"
 
 namespace loopscope {
-
-/// How a node stands to the one before it, as local SLAM or odometry has it.
-struct ConsecutiveNodes {
-  NodeId first;
-  NodeId second;
-  Pose2 first_from_second;
-  double translation_weight = 0.0;  ///< [1/m]
-  double rotation_weight = 0.0;     ///< [1/rad]
-};
 
 /// The sum of eq. 4: submap poses, node poses and what is known about them. The poses are where the
 /// search starts; submap 0 stays where it is.

@@ -52,18 +52,13 @@ void PoseGraph::AddWayTo(NodeId id) {
 void PoseGraph::AddConsecutive(NodeId id) {
   if (id.index == 0) return;
   const NodeId before{id.index - 1};
-  const NodeData& first = nodes_[before.index];
-  const NodeData& second = nodes_[id.index];
-  const OptimizationProblemOptions& weights = options_.optimization_problem;
-  const auto add = [&](const Pose2& first_from_second, double translation, double rotation) {
-    if (translation == 0.0 && rotation == 0.0) return;
-    consecutive_nodes_.push_back({before, id, first_from_second, translation, rotation});
+  const auto measured = [&](NodeId node) {
+    const NodeData& data = nodes_[node.index];
+    return MeasuredNode{node, data.local_from_node, data.odom_from_node};
   };
-  add(first.local_from_node.Inverse() * second.local_from_node,
-      weights.local_slam_pose_translation_weight, weights.local_slam_pose_rotation_weight);
-  if (first.odom_from_node && second.odom_from_node) {
-    add(first.odom_from_node->Inverse() * *second.odom_from_node,
-        weights.odometry_translation_weight, weights.odometry_rotation_weight);
+  for (const ConsecutiveNodes& term :
+       RelateConsecutive(measured(before), measured(id), options_.optimization_problem)) {
+    consecutive_nodes_.push_back(term);
   }
 }
 

@@ -96,6 +96,7 @@ LoopCheck ResidualCheck(const Recording& recording, const LoopCandidate& candida
 /// What a search that was not made would have found.
 std::string WouldHaveMatched(const Recording& recording, SubmapId submap, NodeId node) {
   const auto replay = ReplaySearch(recording, submap, node);
+  if (!replay) return "The node has no points to search with.";
   const LoopCandidate& result = replay->result;
   return fmt::format(
       "Searched now, in {:.1f} m and {:.1f} deg around the estimate of then, it "

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/slam/covariance.h"
+
+#include "core/slam/derive.h"
+
+namespace loopscope {
+namespace {
+
+MeasuredNode Measured(const Recording& recording, int index) {
+  const Node& node = recording.nodes()[index];
+  MeasuredNode measured{NodeId{index}, node.local_from_base, std::nullopt};
+  if (!recording.options().trajectory_builder_2d.use_odometry) return measured;
+  if (const auto reading = OdometryOfScan(recording.log(), node.step)) {
+    measured.odom_from_node = reading->odom_from_base;
+  }
+  return measured;
+}
+
+}  // namespace
+
+GraphProblem GraphOf(const Recording& recording, const MapState& state) {
+  GraphProblem problem{
+      state.global_from_submap, state.global_from_node, ConstraintsOf(recording, state), {}};
+  for (int i = 1; i < state.num_nodes; ++i) {
+    for (const ConsecutiveNodes& term :
+         RelateConsecutive(Measured(recording, i - 1), Measured(recording, i),
+                           recording.options().pose_graph.optimization_problem)) {
+      problem.consecutive_nodes.push_back(term);
+    }
+  }
+  return problem;
+}
+
+std::optional<Eigen::Matrix3d> CovarianceOfNode(const Recording& recording, const MapState& state,
+                                                NodeId node) {
+  return CovarianceOfNode(GraphOf(recording, state),
+                          recording.options().pose_graph.optimization_problem, node);
+}
+
+std::optional<Eigen::Matrix3d> CovarianceOfSubmap(const Recording& recording, const MapState& state,
+                                                  SubmapId submap) {
+  return CovarianceOfSubmap(GraphOf(recording, state),
+                            recording.options().pose_graph.optimization_problem, submap);
+}
+
+}  // namespace loopscope

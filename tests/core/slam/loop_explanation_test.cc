@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/slam/loop_explanation.h"
+
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/mapped_log.h"
+
+namespace loopscope {
+namespace {
+
+using ::testing::HasSubstr;
+
+const Recording& SmallLoop() {
+  static const Recording* const recording =
+      new Recording(MapLog(SimulateSmallLoop().log, SmallLoopOptions()));
+  return *recording;
+}
+
+const LoopCandidate& FirstWith(const Recording& recording, Verdict verdict) {
+  const auto found =
+      std::find_if(recording.candidates().begin(), recording.candidates().end(),
+                   [&](const LoopCandidate& candidate) { return candidate.verdict == verdict; });
+  EXPECT_NE(found, recording.candidates().end());
+  return *found;
+}
+
+LoopExplanation ExplainFirstWith(const Recording& recording, Verdict verdict) {
+  const LoopCandidate& candidate = FirstWith(recording, verdict);
+  return ExplainLoop(recording, candidate.submap, candidate.node);
+}
+
+bool AllPassed(const LoopExplanation& explanation) {
+  return std::all_of(explanation.checks.begin(), explanation.checks.end(),
+                     [](const LoopCheck& check) { return check.passed; });
+}
+
+TEST(ExplainLoop, PassesEveryCheckOfALoopThatWasClosed) {
+  const LoopExplanation explanation = ExplainFirstWith(SmallLoop(), Verdict::kAccepted);
+  EXPECT_TRUE(explanation.closed);
+  EXPECT_TRUE(AllPassed(explanation));
+  EXPECT_THAT(explanation.answer, HasSubstr("Closed"));
+  EXPECT_EQ(explanation.checks.back().what, "residual at the end");
+}
+
+TEST(ExplainLoop, EndsWithTheScoreWhereItWasTooLow) {
+  Options options = SmallLoopOptions();
+  options.pose_graph.constraint_builder.min_score = 0.85;
+  const Recording recording = MapLog(SimulateSmallLoop().log, options);
+  const LoopExplanation explanation = ExplainFirstWith(recording, Verdict::kBelowMinScore);
+  EXPECT_FALSE(explanation.closed);
+  EXPECT_EQ(explanation.checks.back().what, "score");
+  EXPECT_FALSE(explanation.checks.back().passed);
+  EXPECT_EQ(explanation.checks.back().expected, "more than 0.850");
+}
+
+TEST(ExplainLoop, NamesTheMissingSupporters) {
+  Options options = SmallLoopOptions();
+  options.pose_graph.constraint_builder.consistency.min_num_supporters = 1000;
+  const Recording recording = MapLog(SimulateSmallLoop().log, options);
+  const LoopExplanation explanation = ExplainFirstWith(recording, Verdict::kInconsistent);
+  EXPECT_FALSE(explanation.closed);
+  EXPECT_EQ(explanation.checks.back().expected, "at least 1000");
+}
+
+TEST(ExplainLoop, TellsWhatAPairThatWasNotSampledWouldHaveScored) {
+  const LoopExplanation explanation = ExplainFirstWith(SmallLoop(), Verdict::kNotSampled);
+  EXPECT_FALSE(explanation.closed);
+  EXPECT_EQ(explanation.checks.back().what, "sampled");
+  EXPECT_THAT(explanation.answer, HasSubstr("it scores 0."));
+}
+
+TEST(ExplainLoop, SaysThatANodeOfTheSubmapItselfIsNoLoop) {
+  const LoopExplanation explanation = ExplainLoop(SmallLoop(), SubmapId{0}, NodeId{3});
+  EXPECT_FALSE(explanation.closed);
+  EXPECT_THAT(explanation.answer, HasSubstr("INTRA_SUBMAP"));
+}
+
+TEST(ExplainLoop, SaysThatASubmapWasNeverFinished) {
+  const SubmapId last{static_cast<int>(SmallLoop().submaps().size()) - 1};
+  const LoopExplanation explanation = ExplainLoop(SmallLoop(), last, NodeId{0});
+  ASSERT_EQ(explanation.checks.size(), 1u);
+  EXPECT_FALSE(explanation.checks[0].passed);
+  EXPECT_THAT(explanation.answer, HasSubstr("never finished"));
+}
+
+TEST(ExplainLoop, TellsHowFarIsTooFar) {
+  Options options = SmallLoopOptions();
+  options.pose_graph.constraint_builder.max_constraint_distance = 0.5;
+  const Recording recording = MapLog(SimulateSmallLoop().log, options);
+  // The ring is 10 m long: half a round later the robot is on its other side.
+  const LoopExplanation explanation =
+      ExplainLoop(recording, SubmapId{0}, NodeId{static_cast<int>(recording.nodes().size()) / 3});
+  EXPECT_FALSE(explanation.closed);
+  EXPECT_THAT(explanation.checks.back().what, HasSubstr("distance"));
+  EXPECT_FALSE(explanation.checks.back().passed);
+}
+
+}  // namespace
+}  // namespace loopscope
