@@ -50,6 +50,15 @@ TEST(MatchCorrelative, FindsTheBestPoseOfItsWindow) {
   }
 }
 
+TEST(MatchCorrelative, ReachesTheCornersOfItsWindow) {
+  for (const CellIndex corner : {CellIndex{-2, -2}, {-2, 2}, {2, -2}, {2, 2}}) {
+    const ProbabilityGrid grid = GridDrawn({"9"}, 0.05, corner);
+    const CorrelativeMatch match =
+        MatchCorrelative({{0.0, 0.0}}, grid, Pose2(), {0.1, 0.0, 0.1, 0.1});
+    EXPECT_THAT(match.submap_from_scan, PoseNear(Pose2(CenterOf(corner, 0.05), 0.0), 1e-12, 0.0));
+  }
+}
+
 TEST(MatchCorrelative, StaysNearTheGuessIfNothingElseTells) {
   // The middle of a wide wall, where every pose of the window scores the same.
   const ProbabilityGrid grid =
