@@ -27,8 +27,15 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   int exit_code = 0;
   loopscope::AddMapCommand(&app, &exit_code);
-  loopscope::AddLoopsCommand(&app, &exit_code);
+  loopscope::AddInfoCommand(&app, &exit_code);
+  loopscope::AddRenderCommand(&app, &exit_code);
+  loopscope::AddSearchCommand(&app, &exit_code);
   loopscope::AddWhyCommand(&app, &exit_code);
+  loopscope::AddLoopsCommand(&app, &exit_code);
+  loopscope::AddEvaluateCommand(&app, &exit_code);
+  loopscope::AddExportCommand(&app, &exit_code);
+  loopscope::AddSimulateCommand(&app, &exit_code);
+  loopscope::AddDemoCommand(&app, &exit_code);
   try {
     app.parse(argc, argv);
     return exit_code;

@@ -7,6 +7,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "core/io/file_error.h"
+#include "core/io/recording_file.h"
+
 namespace loopscope {
 namespace {
 
@@ -23,6 +26,28 @@ void AddRunArgument(CLI::App* command, std::string* run) {
   command->add_option("RUN", *run, "Recording, as `loopscope map` writes it")
       ->required()
       ->type_name("");
+}
+
+CLI::Option* AddStepArgument(CLI::App* command, std::optional<int>* step) {
+  return command->add_option("--step", *step, "The state after this scan (default: the last)")
+      ->type_name("N");
+}
+
+int StepOf(const Recording& recording, const std::optional<int>& step) {
+  CheckIndex("step", step.value_or(recording.num_steps() - 1), recording.num_steps());
+  return step.value_or(recording.num_steps() - 1);
+}
+
+Recording ReadRun(const std::string& path) {
+  Recording recording = ReadRecording(path);
+  if (recording.num_steps() == 0)
+    throw FileError(path, "the run was stopped before its first scan");
+  return recording;
+}
+
+MapState StateOf(const Recording& recording, std::optional<int> step) {
+  if (step) CheckIndex("step", *step, static_cast<std::size_t>(recording.num_steps()));
+  return StateAfterStep(recording, step.value_or(recording.num_steps() - 1));
 }
 
 NodeId NodeOf(const Recording& recording, int index) {

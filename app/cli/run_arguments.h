@@ -6,15 +6,32 @@
 #include <string>
 
 #include "core/slam/recording.h"
+#include "core/slam/state.h"
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace loopscope {
 
 /// Adds the positional argument RUN, a recording to read.
 void AddRunArgument(CLI::App* command, std::string* run);
+
+/// Adds --step N.
+CLI::Option* AddStepArgument(CLI::App* command, std::optional<int>* step);
+
+/// The step that the user named, the last one if none. Throws std::invalid_argument that says which
+/// there are if it is not one of the recording's.
+int StepOf(const Recording& recording, const std::optional<int>& step);
+
+/// Reads a recording that has at least one step, so that there is something to show. Throws
+/// FileError.
+Recording ReadRun(const std::string& path);
+
+/// The state after `step`, or after the last one. Throws std::invalid_argument that says which
+/// steps there are if it is not one of the recording's.
+MapState StateOf(const Recording& recording, std::optional<int> step);
 
 /// A node or submap that the user named by its index. Throws std::invalid_argument that says which
 /// there are if it is not one of the recording's.

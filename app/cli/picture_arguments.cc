@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/picture_arguments.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "core/io/words.h"
+
+namespace loopscope {
+
+void AddPictureArguments(CLI::App* command, PictureArguments* arguments) {
+  command->add_option("--size", arguments->size, "Width and height in pixels (default: 1280x720)")
+      ->type_name("WxH");
+  command
+      ->add_option("--theme", arguments->theme, "Colours: default (Cartographer's) or color-blind")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"default", "color-blind"}));
+  command->add_option("--title", arguments->title, "Title instead of the view's own")
+      ->type_name("TEXT");
+  command
+      ->add_option(
+          "--backend", arguments->backend,
+          "Who draws: osmesa, egl, or auto (the default: osmesa if it works). None needs a "
+          "display")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"auto", "osmesa", "egl"}));
+}
+
+void ApplyTo(const PictureArguments& arguments, ViewRequest* request) {
+  const std::string_view size = arguments.size;
+  const std::size_t cross = std::min(size.find('x'), size.size());
+  const auto width = ParseInt(size.substr(0, cross));
+  const auto height = ParseInt(size.substr(std::min(cross + 1, size.size())));
+  constexpr int kMinWidth = 320, kMinHeight = 240, kMaxSide = 8192;
+  if (!width || !height || *width < kMinWidth || *height < kMinHeight || *width > kMaxSide ||
+      *height > kMaxSide) {
+    throw std::invalid_argument(
+        fmt::format("--size {}: expected width and height in pixels, {}x{} to {}x{}",
+                    arguments.size, kMinWidth, kMinHeight, kMaxSide, kMaxSide));
+  }
+  request->width = *width;
+  request->height = *height;
+  request->theme = ThemeFromName(arguments.theme);
+  request->title = arguments.title;
+}
+
+void DrawPicture(const Recording& recording, const ViewRequest& request, Backend backend,
+                 const std::string& path) {
+  WritePng(Painter(backend).Draw(recording, request), path);
+}
+
+}  // namespace loopscope

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "app/cli/commands.h"
+#include "app/cli/picture_arguments.h"
+#include "app/cli/run_arguments.h"
+
+namespace loopscope {
+namespace {
+
+struct RenderArguments {
+  std::string run;
+  std::string view = "map";
+  std::string output;
+  std::optional<int> step;
+  std::optional<double> time;
+  std::optional<int> node;
+  std::optional<int> submap;
+  std::vector<std::string> layers;
+  std::vector<double> center;
+  std::optional<double> width_in_meters;
+  PictureArguments picture;
+};
+
+/// The last scan that was mapped until `time`: a stamp of the log, or seconds since its first scan.
+int StepAtTime(const Recording& recording, double time) {
+  const auto& scans = recording.log().scans;
+  const double first = scans.front().time;
+  const double stamp = time < first ? first + time : time;
+  int found = -1;
+  double last = -std::numeric_limits<double>::infinity();
+  for (int step = 0; step < recording.num_steps(); ++step) {
+    last = std::max(last, scans[step].time);
+    if (scans[step].time <= stamp) found = step;
+  }
+  if (found < 0 || stamp > last) {
+    throw std::invalid_argument(
+        fmt::format("no scan at --time {}; expected 0 to {:.3f}, or {:.6f} "
+                    "to {:.6f}",
+                    time, last - first, first, last));
+  }
+  return found;
+}
+
+ViewRequest ToRequest(const RenderArguments& arguments, const Recording& recording) {
+  ViewRequest request;
+  request.view = ViewKindFromName(arguments.view);
+  request.step = arguments.time ? StepAtTime(recording, *arguments.time) : arguments.step;
+  if (arguments.node) request.node = NodeOf(recording, *arguments.node);
+  if (arguments.submap) request.submap = SubmapOf(recording, *arguments.submap);
+  if (!arguments.layers.empty()) {
+    request.layers.emplace();
+    for (const std::string& name : arguments.layers) {
+      request.layers->insert(LayerKindFromName(name));
+    }
+  }
+  if (!arguments.center.empty()) {
+    request.center = Eigen::Vector2d(arguments.center[0], arguments.center[1]);
+  }
+  request.width_in_meters = arguments.width_in_meters;
+  ApplyTo(arguments.picture, &request);
+  return request;
+}
+
+int RunRender(const RenderArguments& arguments) {
+  const Recording recording = ReadRun(arguments.run);
+  const ViewRequest request = ToRequest(arguments, recording);
+  const std::string output =
+      arguments.output.empty()
+          ? std::filesystem::path(arguments.run).stem().string() + "." + arguments.view + ".png"
+          : arguments.output;
+  DrawPicture(recording, request, BackendFromName(arguments.picture.backend), output);
+  fmt::print("{}\n", output);
+  return 0;
+}
+
+void AddSelection(CLI::App* command, RenderArguments* arguments) {
+  CLI::Option* const step =
+      command
+          ->add_option("--step", arguments->step,
+                       "Show the state as it was after this scan, counted from 0 (default: the "
+                       "last one, or that of --node)")
+          ->type_name("N");
+  command
+      ->add_option("--time", arguments->time,
+                   "Likewise by time: seconds since the first scan, or a stamp of the log")
+      ->type_name("T")
+      ->excludes(step);
+  command->add_option("--node", arguments->node, "Node to show (update, match, search)")
+      ->type_name("N");
+  command->add_option("--submap", arguments->submap, "Submap to show (submap, update, search)")
+      ->type_name("M");
+}
+
+}  // namespace
+
+void AddRenderCommand(CLI::App* app, int* exit_code) {
+  CLI::App* const command =
+      app->add_subcommand("render", "Draw a picture of a recording, without a display");
+  const auto arguments = std::make_shared<RenderArguments>();
+  AddRunArgument(command, &arguments->run);
+  command
+      ->add_option("--view", arguments->view,
+                   "What to draw:\n"
+                   "  map     all submaps at their optimized poses, and the way (default)\n"
+                   "  submap  one probability grid, its scans and its frame\n"
+                   "  update  what one scan hit and missed, and the odds before and after\n"
+                   "  match   one scan where it was predicted and where it was matched\n"
+                   "  search  one loop search: where it looked, and what it pruned\n"
+                   "  graph   nodes, submaps, constraints and residuals")
+      ->type_name("VIEW");
+  command
+      ->add_option("-o,--output", arguments->output, "PNG to write (default: RUN.VIEW.png, here)")
+      ->type_name("FILE");
+  AddSelection(command, arguments.get());
+  command
+      ->add_option("--layers", arguments->layers,
+                   "Draw only these layers of the view, e.g. grid,nodes,inter")
+      ->type_name("A,B,...")
+      ->delimiter(',');
+  command->add_option("--center", arguments->center, "Point in the middle [m], in the view's frame")
+      ->type_name("X,Y")
+      ->delimiter(',')
+      ->expected(2);
+  command->add_option("--width", arguments->width_in_meters, "Width of what is shown [m]")
+      ->type_name("METERS");
+  AddPictureArguments(command, &arguments->picture);
+  command->callback([arguments, exit_code] { *exit_code = RunRender(*arguments); });
+}
+
+}  // namespace loopscope
