@@ -44,12 +44,14 @@ TEST(Simulate, ChangesTheNoiseAndNotTheDriveWithTheSeed) {
 
 TEST(Simulate, ChangesOneSensorWithoutTheOther) {
   const World world = MakeWorld("loop");
-  SimulationOptions options;
-  const Simulation a = Simulate(world, options);
-  options.wheel_odometry.distance_noise *= 2.0;
-  const Simulation b = Simulate(world, options);
-  EXPECT_EQ(AllRanges(a), AllRanges(b));
-  EXPECT_NE(LastOdometry(a), LastOdometry(b));
+  const Simulation usual = Simulate(world, {});
+  SimulationOptions other_odometry;
+  other_odometry.wheel_odometry.distance_noise *= 2.0;
+  EXPECT_EQ(AllRanges(Simulate(world, other_odometry)), AllRanges(usual));
+  EXPECT_NE(LastOdometry(Simulate(world, other_odometry)), LastOdometry(usual));
+  SimulationOptions other_lidar;
+  other_lidar.lidar.beams.num_beams /= 2;
+  EXPECT_EQ(LastOdometry(Simulate(world, other_lidar)), LastOdometry(usual));
 }
 
 TEST(Simulate, StampsEachScanAsTheOdometryReadingBeforeIt) {

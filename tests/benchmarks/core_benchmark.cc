@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include <benchmark/benchmark.h>
+
+#include "core/grid/ray_cast.h"
+#include "core/grid/scan_inserter.h"
+#include "core/io/carmen_log.h"
+#include "core/matching/branch_and_bound.h"
+#include "core/matching/ceres_scan_matcher.h"
+#include "core/matching/correlative_scan_matcher.h"
+#include "core/slam/derive.h"
+#include "tests/support/mapped_log.h"
+
+namespace loopscope {
+namespace {
+
+std::string BundledLog() { return LOOPSCOPE_SOURCE_DIR "/datasets/office.log.gz"; }
+
+// The first scans of the bundled log, mapped.
+const Recording& Office() {
+  static const Recording recording = [] {
+    ScanLog log = ReadCarmenLog(BundledLog());
+    log.scans.resize(300);
+    return MapLog(log, LoopscopePreset());
+  }();
+  return recording;
+}
+
+// A scan somewhere in the middle of a submap.
+const MatchReplay& Match() {
+  static const MatchReplay match = *ReplayMatch(Office(), 200);
+  return match;
+}
+
+void BM_ReadCarmenLog(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(ReadCarmenLog(BundledLog()));
+}
+BENCHMARK(BM_ReadCarmenLog)->Unit(benchmark::kMillisecond);
+
+void BM_MapFirstScans(benchmark::State& state) {
+  const int num_threads = static_cast<int>(state.range(0));
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(MapLog(Office().log(), LoopscopePreset(), num_threads));
+  }
+  state.SetItemsProcessed(state.iterations() * Office().num_steps());
+}
+BENCHMARK(BM_MapFirstScans)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void BM_CastRays(benchmark::State& state) {
+  const RangeData range_data = RangeDataOfStep(Office(), 200);
+  for (auto _ : state) benchmark::DoNotOptimize(CastRays(range_data, 0.05));
+}
+BENCHMARK(BM_CastRays)->Unit(benchmark::kMicrosecond);
+
+void BM_GridOfSubmap(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(GridOfSubmap(Office(), SubmapId{1}));
+}
+BENCHMARK(BM_GridOfSubmap)->Unit(benchmark::kMillisecond);
+
+void BM_MatchCorrelative(benchmark::State& state) {
+  const CorrelativeScanMatcherOptions options;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        MatchCorrelative(Match().points, Match().grid, Match().submap_from_base_prior, options));
+  }
+}
+BENCHMARK(BM_MatchCorrelative)->Unit(benchmark::kMicrosecond);
+
+void BM_MatchWithCeres(benchmark::State& state) {
+  const CeresScanMatcherOptions options;
+  const Pose2& prior = Match().submap_from_base_prior;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        MatchWithCeres(Match().points, Match().grid, prior.translation, prior, options));
+  }
+}
+BENCHMARK(BM_MatchWithCeres)->Unit(benchmark::kMicrosecond);
+
+void BM_PrecomputeGrids(benchmark::State& state) {
+  const BranchAndBoundOptions options;
+  for (auto _ : state) BranchAndBoundMatcher(Match().grid, options);
+}
+BENCHMARK(BM_PrecomputeGrids)->Unit(benchmark::kMillisecond);
+
+// A guess that is off by metres, as after a long loop.
+void BM_BranchAndBound(benchmark::State& state) {
+  const BranchAndBoundMatcher matcher(Match().grid, {});
+  const Pose2 guess = Match().submap_from_base * Pose2(3.0, -2.0, DegreesToRadians(15.0));
+  for (auto _ : state) benchmark::DoNotOptimize(matcher.Search(Match().points, guess, 0.5));
+}
+BENCHMARK(BM_BranchAndBound)->Unit(benchmark::kMillisecond);
+
+void BM_BranchAndBoundWholeSubmap(benchmark::State& state) {
+  const BranchAndBoundMatcher matcher(Match().grid, {});
+  for (auto _ : state) benchmark::DoNotOptimize(matcher.SearchWholeSubmap(Match().points, 0.5));
+}
+BENCHMARK(BM_BranchAndBoundWholeSubmap)->Unit(benchmark::kMillisecond);
+
+void BM_Simulate(benchmark::State& state) {
+  const World world = MakeWorld("office");
+  for (auto _ : state) benchmark::DoNotOptimize(Simulate(world, {}));
+}
+BENCHMARK(BM_Simulate)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace loopscope
