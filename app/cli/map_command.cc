@@ -49,9 +49,10 @@ void PrintSummary(const Recording& recording, const std::string& output, double 
   const double log_seconds = num_steps > 0 ? scans[num_steps - 1].time - scans[0].time : 0.0;
   fmt::print("{}: {} of {} scans, {} nodes, {} submaps\n", output, num_steps, scans.size(),
              recording.nodes().size(), recording.submaps().size());
-  fmt::print("loops: {} closed, {} inconsistent, {} below the score, {} not sampled\n",
-             num_with(Verdict::kAccepted), num_with(Verdict::kInconsistent),
-             num_with(Verdict::kBelowMinScore), num_with(Verdict::kNotSampled));
+  fmt::print(
+      "loops: {} closed, {} inconsistent, {} ambiguous, {} below the score, {} not sampled\n",
+      num_with(Verdict::kAccepted), num_with(Verdict::kInconsistent), num_with(Verdict::kAmbiguous),
+      num_with(Verdict::kBelowMinScore), num_with(Verdict::kNotSampled));
   fmt::print("{:.1f} s for {:.0f} s of log: {:.0f} times real time, {:.0f} scans/s\n", seconds,
              log_seconds, log_seconds / seconds, num_steps / seconds);
 }

@@ -12,6 +12,7 @@ enum class Verdict {
   kTooFar,      ///< farther apart than max_constraint_distance; not stored, follows from the state
   kNotSampled,  ///< skipped by sampling_ratio
   kBelowMinScore,  ///< no pose of the window scored min_score
+  kAmbiguous,      ///< another place in the window matches nearly as well
   kInconsistent,   ///< too few other loops agree with it
   kAccepted,       ///< INTER_SUBMAP constraint
 };
@@ -32,8 +33,10 @@ struct LoopCandidate {
   double score = 0.0;
   /// No pose in the window scores more. 0 if not searched.
   double score_bound = 0.0;
-  double min_score = 0.0;           ///< what the score had to beat
-  int num_supporters = 0;           ///< nodes with loops that agree, see LoopConsistencyOptions
+  double min_score = 0.0;  ///< what the score had to beat
+  double rival_score =
+      0.0;                 ///< of a place far from the winner that matches nearly as well; 0: none
+  int num_supporters = 0;  ///< nodes with loops that agree, see LoopConsistencyOptions
   Pose2 submap_from_node_searched;  ///< where the search found `score`
   Pose2 submap_from_node;           ///< refined by (CS): the constraint, if accepted
 };

@@ -12,6 +12,17 @@ namespace {
 /// Some ten megabytes each.
 constexpr int kMaxMatchers = 16;
 
+/// Of a pose far from the one found that scores nearly as well; 0 if there is none.
+double RivalScore(const LoopCandidate& found, const PointCloud& points_in_node,
+                  const BranchAndBoundMatcher& matcher, const LoopAmbiguityOptions& options) {
+  if (options.max_relative_score >= 1.0 || found.whole_submap) return 0.0;
+  const auto rival =
+      matcher.FindRival(points_in_node, found.submap_from_node_guess, found.linear_search_window,
+                        found.angular_search_window, found.submap_from_node_searched,
+                        options.min_distance, options.max_relative_score * found.score);
+  return rival ? rival->score : 0.0;
+}
+
 }  // namespace
 
 struct LoopSearch::SearchedSubmap {
@@ -22,7 +33,7 @@ struct LoopSearch::SearchedSubmap {
 
 LoopCandidate SearchLoop(const LoopCandidate& candidate, const PointCloud& points_in_node,
                          const ProbabilityGrid& grid, const BranchAndBoundMatcher& matcher,
-                         const CeresScanMatcherOptions& options, SearchTrace* trace) {
+                         const ConstraintBuilderOptions& options, SearchTrace* trace) {
   LoopCandidate result = candidate;
   const SearchOutcome outcome =
       candidate.whole_submap
@@ -36,10 +47,11 @@ LoopCandidate SearchLoop(const LoopCandidate& candidate, const PointCloud& point
   result.submap_from_node = result.submap_from_node_searched;
   result.verdict = Verdict::kBelowMinScore;
   if (!outcome.winner) return result;
-  result.verdict = Verdict::kAccepted;
+  result.rival_score = RivalScore(result, points_in_node, matcher, options.ambiguity);
+  result.verdict = result.rival_score > 0.0 ? Verdict::kAmbiguous : Verdict::kAccepted;
   result.submap_from_node =
       MatchWithCeres(points_in_node, grid, result.submap_from_node_searched.translation,
-                     result.submap_from_node_searched, options)
+                     result.submap_from_node_searched, options.ceres_scan_matcher)
           .submap_from_scan;
   return result;
 }
@@ -78,7 +90,7 @@ void LoopSearch::Consider(const LoopCandidate& candidate,
   *result = candidate;
   pool_.Add([this, submap, result, points = std::move(points_in_node)] {
     *result = SearchLoop(*result, *points, submap->grid,
-                         *matchers_.Get(result->submap, submap->grid), options_.ceres_scan_matcher);
+                         *matchers_.Get(result->submap, submap->grid), options_);
   });
 }
 

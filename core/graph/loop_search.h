@@ -20,7 +20,7 @@ namespace loopscope {
 /// set.
 LoopCandidate SearchLoop(const LoopCandidate& candidate, const PointCloud& points_in_node,
                          const ProbabilityGrid& grid, const BranchAndBoundMatcher& matcher,
-                         const CeresScanMatcherOptions& options, SearchTrace* trace = nullptr);
+                         const ConstraintBuilderOptions& options, SearchTrace* trace = nullptr);
 
 /// The INTER_SUBMAP constraint that an accepted candidate is.
 Constraint ToConstraint(const LoopCandidate& accepted, const ConstraintBuilderOptions& options);

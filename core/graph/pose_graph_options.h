@@ -8,6 +8,13 @@
 
 namespace loopscope {
 
+/// POSE_GRAPH.constraint_builder.ambiguity, not in Cartographer: a scan that fits at many places of
+/// a corridor does not tell where it is.
+struct LoopAmbiguityOptions {
+  double max_relative_score = 1.0;  ///< share of the winner's score that no rival may have; 1: off
+  double min_distance = 0.5;        ///< [m] from the winner at which a place is another one
+};
+
 /// POSE_GRAPH.constraint_builder.
 struct ConstraintBuilderOptions {
   double sampling_ratio = 0.3;  ///< share of the near pairs that are searched
@@ -25,6 +32,7 @@ struct ConstraintBuilderOptions {
   double global_localization_min_score = 0.6;  ///< for searches of the whole submap
   double loop_closure_translation_weight = 1.1e4;
   double loop_closure_rotation_weight = 1e5;
+  LoopAmbiguityOptions ambiguity;
   LoopConsistencyOptions consistency;
   BranchAndBoundOptions fast_correlative_scan_matcher;
   CeresScanMatcherOptions ceres_scan_matcher{20.0, 10.0, 1.0, 10};

@@ -23,9 +23,12 @@ constexpr std::uint8_t kWholeSubmap = 16;
 constexpr std::uint8_t kHasSearch = 32;       ///< kNumbers, the guess, the pose found, supporters
 constexpr std::uint8_t kHasRefinedPose = 64;  ///< submap_from_node
 
-constexpr std::array<double LoopCandidate::*, 5> kNumbers = {
-    &LoopCandidate::linear_search_window, &LoopCandidate::angular_search_window,
-    &LoopCandidate::score, &LoopCandidate::score_bound, &LoopCandidate::min_score};
+constexpr std::array<double LoopCandidate::*, 6> kNumbers = {&LoopCandidate::linear_search_window,
+                                                             &LoopCandidate::angular_search_window,
+                                                             &LoopCandidate::score,
+                                                             &LoopCandidate::score_bound,
+                                                             &LoopCandidate::min_score,
+                                                             &LoopCandidate::rival_score};
 
 bool IsDefault(double value) { return value == 0.0 && !std::signbit(value); }
 

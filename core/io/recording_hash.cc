@@ -65,10 +65,11 @@ class Hash {
   }
   void Add(const LoopCandidate& candidate) {
     const auto& [submap, node, considered_step, applied_step, whole_submap, linear_window,
-                 angular_window, guess, verdict, score, score_bound, min_score, num_supporters,
-                 searched, refined] = candidate;
+                 angular_window, guess, verdict, score, score_bound, min_score, rival_score,
+                 num_supporters, searched, refined] = candidate;
     AddAll(submap, node, considered_step, applied_step, whole_submap, linear_window, angular_window,
-           guess, verdict, score, score_bound, min_score, num_supporters, searched, refined);
+           guess, verdict, score, score_bound, min_score, rival_score, num_supporters, searched,
+           refined);
   }
   void Add(const Optimization& optimization) {
     const auto& [step, final, submaps, nodes, num_iterations, initial_cost, final_cost] =

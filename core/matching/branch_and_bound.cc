@@ -23,6 +23,21 @@ struct Block {
   int trace_index = -1;
 };
 
+/// Offsets of a window that are not of interest.
+struct Disc {
+  Eigen::Vector2d center;  ///< [cells]
+  double radius = 0.0;     ///< [cells]
+
+  bool Holds(double x, double y) const { return (Eigen::Vector2d(x, y) - center).norm() <= radius; }
+  /// A disc is convex, so it holds a block if it holds its corners.
+  bool Holds(const Block& block) const {
+    const int x = block.offset.x;
+    const int y = block.offset.y;
+    const int last = (1 << block.height) - 1;
+    return Holds(x, y) && Holds(x + last, y) && Holds(x, y + last) && Holds(x + last, y + last);
+  }
+};
+
 /// One run of Algorithm 3.
 class Search {
  public:
@@ -43,6 +58,13 @@ class Search {
     if (trace_ != nullptr) trace_->winner = winner_->trace_index;
     const SearchResult result = ResultOf(*winner_);
     return {result, result, result.score};
+  }
+
+  /// Any leaf outside of `excluded` that scores more than `min_score`.
+  std::optional<SearchResult> RunOutside(const Disc& excluded, double min_score) {
+    const std::optional<Block> found = FirstLeafOutside(StartBlocks(), excluded, min_score);
+    if (!found) return std::nullopt;
+    return ResultOf(*found);
   }
 
  private:
@@ -80,6 +102,18 @@ class Search {
       Decide(block, SearchFate::kExpanded);
       DepthFirst(Children(block));
     }
+  }
+
+  std::optional<Block> FirstLeafOutside(const std::vector<Block>& blocks, const Disc& excluded,
+                                        double min_score) {
+    for (const Block& block : blocks) {
+      if (block.bound <= min_score) break;
+      if (excluded.Holds(block)) continue;
+      if (block.height == 0) return block;
+      const std::optional<Block> found = FirstLeafOutside(Children(block), excluded, min_score);
+      if (found) return found;
+    }
+    return std::nullopt;
   }
 
   std::vector<Block> Children(const Block& parent) {
@@ -172,6 +206,17 @@ SearchOutcome BranchAndBoundMatcher::Search(const PointCloud& points_in_scan,
   const SearchWindow window = MakeSearchWindow(points_in_scan, submap_from_scan_guess,
                                                linear_window, angular_window, grids_->resolution());
   return loopscope::Search(*grids_, window, points_in_scan, trace).Run(min_score);
+}
+
+std::optional<SearchResult> BranchAndBoundMatcher::FindRival(
+    const PointCloud& points_in_scan, const Pose2& submap_from_scan_guess, double linear_window,
+    double angular_window, const Pose2& winner, double min_distance, double min_score) const {
+  const SearchWindow window = MakeSearchWindow(points_in_scan, submap_from_scan_guess,
+                                               linear_window, angular_window, grids_->resolution());
+  const Disc excluded{(winner.translation - submap_from_scan_guess.translation) / window.resolution,
+                      min_distance / window.resolution};
+  return loopscope::Search(*grids_, window, points_in_scan, nullptr)
+      .RunOutside(excluded, min_score);
 }
 
 SearchOutcome BranchAndBoundMatcher::SearchWholeSubmap(const PointCloud& points_in_scan,

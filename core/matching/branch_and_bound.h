@@ -49,6 +49,14 @@ class BranchAndBoundMatcher {
                        double linear_window, double angular_window, double min_score,
                        SearchTrace* trace = nullptr) const;
 
+  /// A pose of the window of Search that is farther than `min_distance` [m] from `winner` and
+  /// scores more than `min_score`, at any angle; not the best of them. Nothing if there is none:
+  /// then the winner is where the scan fits, and not one place of many.
+  std::optional<SearchResult> FindRival(const PointCloud& points_in_scan,
+                                        const Pose2& submap_from_scan_guess, double linear_window,
+                                        double angular_window, const Pose2& winner,
+                                        double min_distance, double min_score) const;
+
   /// Searches every place in the submap at every angle.
   SearchOutcome SearchWholeSubmap(const PointCloud& points_in_scan, double min_score,
                                   SearchTrace* trace = nullptr) const;

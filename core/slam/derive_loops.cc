@@ -123,8 +123,8 @@ std::optional<SearchReplay> ReplaySearch(const Recording& recording, SubmapId su
   const ConstraintBuilderOptions& options = recording.options().pose_graph.constraint_builder;
   const BranchAndBoundMatcher matcher(replay.grid,
                                       options.fast_correlative_scan_matcher.branch_and_bound_depth);
-  replay.result = SearchLoop(replay.candidate, replay.points, replay.grid, matcher,
-                             options.ceres_scan_matcher, &replay.trace);
+  replay.result =
+      SearchLoop(replay.candidate, replay.points, replay.grid, matcher, options, &replay.trace);
   return replay;
 }
 

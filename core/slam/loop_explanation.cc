@@ -78,6 +78,15 @@ LoopCheck ScoreCheck(const LoopCandidate& candidate) {
           candidate.score > candidate.min_score};
 }
 
+LoopCheck AmbiguityCheck(const LoopCandidate& candidate, const LoopAmbiguityOptions& options) {
+  const std::string rival = candidate.rival_score > 0.0
+                                ? fmt::format("one scores {:.3f}", candidate.rival_score)
+                                : "none";
+  return {fmt::format("rivals {} m away or more", options.min_distance), rival,
+          fmt::format("none above {:.3f}", options.max_relative_score * candidate.score),
+          candidate.verdict != Verdict::kAmbiguous};
+}
+
 LoopCheck ConsistencyCheck(const LoopCandidate& candidate, const LoopConsistencyOptions& options) {
   return {"other nodes with loops that agree", std::to_string(candidate.num_supporters),
           fmt::format("at least {}", options.min_num_supporters),
@@ -132,6 +141,8 @@ LoopExplanation ExplainLoop(const Recording& recording, SubmapId submap, NodeId 
     return list.explanation();
   }
   if (!list.Add(ScoreCheck(*candidate), "Not closed: nothing in the window matches well enough.") ||
+      !list.Add(AmbiguityCheck(*candidate, options.ambiguity),
+                "Not closed: the scan fits at other places nearly as well.") ||
       !list.Add(ConsistencyCheck(*candidate, options.consistency),
                 "Not closed: it matched, but too few loops of other nodes say the same.")) {
     return list.explanation();
@@ -153,6 +164,8 @@ std::string ToString(Verdict verdict) {
       return "not sampled";
     case Verdict::kBelowMinScore:
       return "below score";
+    case Verdict::kAmbiguous:
+      return "ambiguous";
     case Verdict::kInconsistent:
       return "inconsistent";
     case Verdict::kAccepted:

@@ -134,6 +134,15 @@ Rows FastCorrelativeScanMatcherRows(BranchAndBoundOptions* o) {
   };
 }
 
+Rows LoopAmbiguityRows(LoopAmbiguityOptions* o) {
+  return {
+      {"max_relative_score", &o->max_relative_score, 0, 1, "",
+       "Share of the winner's score that no place far from it may have; 1: off."},
+      {"min_distance", &o->min_distance, 0, kMaxLength, "m",
+       "From the winner, at which a place is another one."},
+  };
+}
+
 Rows LoopConsistencyRows(LoopConsistencyOptions* o) {
   return {
       {"min_num_supporters", &o->min_num_supporters, 0, kMaxCount, "",
@@ -170,6 +179,7 @@ Rows ConstraintBuilderRows(ConstraintBuilderOptions* o) {
       {"loop_closure_rotation_weight", &o->loop_closure_rotation_weight, 0, kMaxWeight, "1/rad",
        "How stiff a loop closure is in heading."},
   };
+  Append("ambiguity.", LoopAmbiguityRows(&o->ambiguity), &rows);
   Append("consistency.", LoopConsistencyRows(&o->consistency), &rows);
   Append("fast_correlative_scan_matcher.",
          FastCorrelativeScanMatcherRows(&o->fast_correlative_scan_matcher), &rows);

@@ -11,6 +11,8 @@ Options LoopscopePreset() {
   LocalSlamOptions& local = options.trajectory_builder_2d;
   local.use_online_correlative_scan_matching = true;
   local.real_time_correlative_scan_matcher.angular_search_window = DegreesToRadians(10.0);
+  // In a corridor the scan fits everywhere: stay where odometry says.
+  local.real_time_correlative_scan_matcher.translation_delta_cost_weight = 10.0;
   local.ceres_scan_matcher.occupied_space_weight = 10.0;
   local.recovery.min_relative_score = 0.6;
   local.submaps.num_range_data = 40;
@@ -28,6 +30,7 @@ Options LoopscopePreset() {
   loops.linear_search_window_per_meter = 0.03;
   loops.angular_search_window_per_meter = DegreesToRadians(0.04);
   loops.max_linear_search_window = 20.0;
+  loops.ambiguity.max_relative_score = 0.9;
   loops.consistency.min_num_supporters = 2;
   graph.optimization_problem.huber_scale = 1e2;
   graph.optimization_problem.local_slam_pose_translation_weight = 1e4;

@@ -42,7 +42,8 @@ LoopCandidate Candidate(int submap, int node, double min_score) {
 class LoopSearchInARoom : public ::testing::Test {
  protected:
   LoopCandidate Search(const LoopCandidate& candidate, SearchTrace* trace = nullptr) const {
-    return SearchLoop(candidate, points_, room_.grid(), matcher_, {20.0, 10.0, 1.0, 10}, trace);
+    return SearchLoop(candidate, points_, room_.grid(), matcher_, ConstraintBuilderOptions(),
+                      trace);
   }
 
   const SimulatedRoom room_;

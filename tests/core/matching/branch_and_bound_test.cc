@@ -171,6 +171,35 @@ TEST(SearchWholeSubmap, FindsTheOptimumOfExhaustiveSearch) {
   }
 }
 
+// Whether a pose outside of the disc scores more is told by trying all (Algorithm 1).
+TEST(FindRival, FindsOneIfAndOnlyIfThereIsOne) {
+  constexpr double kMinDistance = 0.12;  // [m]
+  int num_rivals = 0;
+  for (int seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    const RandomSearch search(seed);
+    SearchTrace trace;
+    const SearchOutcome outcome = search.Run(0.0, &trace);
+    const double min_score = 0.85 * outcome.winner->score;
+    const Eigen::Vector2d winner = outcome.winner->submap_from_scan.translation;
+    double best_outside = 0.0;
+    ForEachPose(trace.window, [&](CellIndex offset, int angle_index) {
+      const Pose2 pose = PlainPose(trace.window, offset, angle_index);
+      if ((pose.translation - winner).norm() <= kMinDistance) return;
+      best_outside = std::max(best_outside, PlainScore(search.world(), pose));
+    });
+    const auto rival = search.FindRival(outcome.winner->submap_from_scan, kMinDistance, min_score);
+    if (std::abs(best_outside - min_score) < kRounding) continue;  // which side is rounding's
+    ASSERT_EQ(rival.has_value(), best_outside > min_score);
+    if (!rival) continue;
+    ++num_rivals;
+    EXPECT_GT(rival->score, min_score);
+    EXPECT_GT((rival->submap_from_scan.translation - winner).norm(), kMinDistance);
+  }
+  EXPECT_GT(num_rivals, 5);
+  EXPECT_LT(num_rivals, 55);
+}
+
 TEST(SearchWholeSubmap, OfAnEmptySubmapFindsNothing) {
   const ProbabilityGrid nothing_known(0.05);
   const SearchOutcome outcome =

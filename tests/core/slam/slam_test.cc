@@ -10,6 +10,7 @@
 
 #include "core/evaluation/trajectory_error.h"
 #include "core/io/recording_hash.h"
+#include "core/slam/derive.h"
 #include "tests/support/mapped_log.h"
 #include "tests/support/pose_matchers.h"
 
@@ -44,6 +45,64 @@ TEST(Slam, MapsALongLoopWithOurPresetAsItIs) {
       EvaluateTrajectory(simulation.ground_truth, OdometryTrajectoryOf(simulation.log));
   EXPECT_GT(odometry->translation.rmse, 1.0);
   const Recording recording = MapLog(simulation.log, LoopscopePreset(), 2);
+  const auto error = EvaluateTrajectory(simulation.ground_truth, TrajectoryOf(recording));
+  EXPECT_LT(error->translation.rmse, 0.05);
+}
+
+/// A smooth corridor of 20 m, there and back, with something to see only at its ends.
+Simulation SimulateAmbiguousCorridor(double max_range) {
+  World world;
+  world.name = "ambiguous";
+  world.plan.AddRoom({0.0, 0.0}, {20.0, 2.4});
+  world.plan.AddBox(Pose2(0.6, 2.0, 0.0), {1.0, 0.6});
+  world.plan.AddPillar({19.0, 0.5}, 0.3);
+  world.route = {{2.0, 1.2}, {17.0, 1.2}, {2.0, 1.2}};
+  SimulationOptions options;
+  options.scan_period = 0.25;
+  options.lidar.beams = {181, DegreesToRadians(-90.0), DegreesToRadians(1.0)};
+  options.lidar.max_range = max_range;
+  return Simulate(world, options);
+}
+
+/// How far the farthest of the loops that were closed is from the truth [m].
+double WorstLoop(const Recording& recording, const Trajectory& ground_truth) {
+  const auto truth = [&](NodeId node) {
+    return PoseAt(ground_truth, recording.log().scans[recording.node(node).step].time);
+  };
+  double worst = 0.0;
+  for (const LoopCandidate& loop : recording.candidates()) {
+    if (loop.verdict != Verdict::kAccepted) continue;
+    const NodeId first = recording.submap(loop.submap).first_node;
+    const Pose2 submap_from_first = SubmapFromNode(recording, loop.submap, first);
+    const Pose2 expected = submap_from_first * (truth(first).Inverse() * truth(loop.node));
+    worst = std::max(worst, (expected.Inverse() * loop.submap_from_node).translation.norm());
+  }
+  return worst;
+}
+
+class SlamInAnAmbiguousCorridor : public ::testing::TestWithParam<double> {};
+
+INSTANTIATE_TEST_SUITE_P(MaxRanges, SlamInAnAmbiguousCorridor, ::testing::Values(30.0, 8.0));
+
+TEST_P(SlamInAnAmbiguousCorridor, ClosesNoFalseLoopAndKeepsTheMapWhole) {
+  const Simulation simulation = SimulateAmbiguousCorridor(GetParam());
+  const Recording recording = MapLog(simulation.log, SmallLoopOptions());
+  EXPECT_GT(NumCandidates(recording, Verdict::kAmbiguous), 20);
+  EXPECT_GT(NumCandidates(recording, Verdict::kAccepted), 0);
+  EXPECT_LT(WorstLoop(recording, simulation.ground_truth), 0.2);
+  const auto odometry =
+      EvaluateTrajectory(simulation.ground_truth, OdometryTrajectoryOf(simulation.log));
+  const auto error = EvaluateTrajectory(simulation.ground_truth, TrajectoryOf(recording));
+  EXPECT_LT(error->translation.rmse, 0.5 * odometry->translation.rmse);
+}
+
+TEST(Slam, KeepsRoomsThatAreAllAlikeApart) {
+  SimulationOptions options;
+  options.seed = 2;
+  const Simulation simulation = Simulate(MakeWorld("hotel"), options);
+  const Recording recording = MapLog(simulation.log, LoopscopePreset(), 2);
+  EXPECT_GT(NumCandidates(recording, Verdict::kAccepted), 20);
+  EXPECT_LT(WorstLoop(recording, simulation.ground_truth), 0.5);
   const auto error = EvaluateTrajectory(simulation.ground_truth, TrajectoryOf(recording));
   EXPECT_LT(error->translation.rmse, 0.05);
 }
