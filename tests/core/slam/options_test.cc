@@ -82,7 +82,12 @@ const std::map<std::string, bool> kStockFlags = {
 // Not in Cartographer, or in its ROS files only: must do nothing that Cartographer would not.
 const std::map<std::string, OptionValue> kOwn = {
     {"use_odometry", true},
-    {"TRAJECTORY_BUILDER_2D.recovery.min_score", 0.0},
+    {"TRAJECTORY_BUILDER_2D.recovery.min_relative_score", 0.0},
+    {"POSE_GRAPH.constraint_builder.min_relative_score", 0.0},
+    {"POSE_GRAPH.constraint_builder.linear_search_window_per_meter", 0.0},
+    {"POSE_GRAPH.constraint_builder.angular_search_window_per_meter", 0.0},
+    {"POSE_GRAPH.constraint_builder.ambiguity.max_relative_score", 1.0},
+    {"POSE_GRAPH.constraint_builder.consistency.min_num_supporters", 0.0},
 };
 
 TEST(CartographerPreset, HasTheStockValues) {
