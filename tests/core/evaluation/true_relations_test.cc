@@ -48,6 +48,17 @@ TEST(TrueRelations, TieEachPlaceOfTheSecondRoundToTheFirst) {
   EXPECT_NEAR(num_revisits, 47, 3);
 }
 
+TEST(TrueRelations, DoNotTieARobotThatTurnsBackToWhereItJustWas) {
+  Trajectory trajectory;
+  for (int i = 0; i <= 60; ++i) {
+    const double x = 0.1 * (i <= 30 ? i : 60 - i);
+    trajectory.push_back({0.1 * i, Pose2(x, 0.0, 0.0)});
+  }
+  for (const Relation& relation : TrueRelations(trajectory)) {
+    EXPECT_LT(relation.second_time - relation.first_time, 2.5);
+  }
+}
+
 TEST(TrueRelations, DoNotTieAStandingRobotToItself) {
   EXPECT_TRUE(TrueRelations(Trajectory(100, {0.0, Pose2()})).empty());
   EXPECT_TRUE(TrueRelations({}).empty());
