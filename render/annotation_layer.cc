@@ -72,9 +72,12 @@ void AnnotationPen::DrawSwatch(const Swatch& swatch, const Box& box) {
     case Swatch::Kind::kPoint:
       fills_.AddDisc(center, 0.7 * radius, swatch.color);
       break;
-    case Swatch::Kind::kCircle:
-      thin_.AddCircle(center, 0.8 * radius, swatch.color);
+    case Swatch::Kind::kFrame: {
+      const Vector origin = center - Vector(0.7 * radius, 0.7 * radius);
+      bold_.AddLine(origin, origin + Vector(1.6 * radius, 0.0), palette_.axis_x);
+      bold_.AddLine(origin, origin + Vector(0.0, 1.6 * radius), palette_.axis_y);
       break;
+    }
     case Swatch::Kind::kRobot:
       fills_.AddPolygon(RobotOutline(Pose2(center, 0.0), 1.4 * radius), swatch.color);
       break;
@@ -160,19 +163,16 @@ Props DrawAnnotation(const Annotation& annotation, const Layout& layout, const P
   return pen.Finish();
 }
 
-Props DrawPanelEdge(const PanelBoxes& boxes, const FlatCamera& camera,
+Props DrawPanelEdge(const PanelBoxes& boxes, const FlatCamera* camera,
                     const std::vector<std::string>& caption, const SheetSize& size,
                     const Palette& palette) {
   AnnotationPen pen(size, palette);
   pen.DrawOutline(Shrunk(boxes.frame, -0.5 * widths::kThin * size.unit));
   Box text = boxes.footer;
-  Box bar = text;
-  if (text.height > 2.0 * size.font) {
-    bar = CutTop(0.5 * text.height, &text);
-    pen.DrawScaleBar(camera, bar);
-  } else {
-    CutLeft(pen.DrawScaleBar(camera, bar) + size.font, &text);
-  }
+  const bool own_row = text.height > 2.0 * size.font;
+  Box bar = own_row ? CutTop(0.5 * text.height, &text) : text;
+  const double bar_width = camera ? pen.DrawScaleBar(*camera, bar) + size.font : 0.0;
+  if (!own_row) CutLeft(bar_width, &text);
   pen.Write(JoinToFit(caption, pen.FaintInk(), text.width), pen.FaintInk(), Align::kLeft, text.left,
             text.center_y());
   return pen.Finish();

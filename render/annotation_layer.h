@@ -19,7 +19,8 @@ using Props = std::vector<vtkSmartPointer<vtkProp>>;
 Props DrawAnnotation(const Annotation& annotation, const Layout& layout, const Palette& palette);
 
 /// The outline of a panel and, beneath, a scale bar and `caption`: its first parts, as many as fit.
-Props DrawPanelEdge(const PanelBoxes& boxes, const FlatCamera& camera,
+/// There is no scale bar without `camera`.
+Props DrawPanelEdge(const PanelBoxes& boxes, const FlatCamera* camera,
                     const std::vector<std::string>& caption, const SheetSize& size,
                     const Palette& palette);
 

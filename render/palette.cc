@@ -63,7 +63,8 @@ Palette DefaultPalette() {
   p.inter = Rgb(0xffff00);
   p.inter_residual = Rgb(0x00ffff);
   p.intra_residual = Rgb(0xff2a2a);
-  p.covariance = Rgb(0xff8ad8);
+  p.covariance = Rgb(0x8ef0a8);
+  p.refused = Rgb(0xff5ac8);
   return p;
 }
 

@@ -89,6 +89,7 @@ struct Palette {
   Color inter_residual;
   Color intra_residual;
   Color covariance;
+  Color refused;  ///< a loop that was found and not believed
 };
 
 const Palette& PaletteOf(Theme theme);
@@ -101,7 +102,7 @@ constexpr double kThin = 1.1;
 constexpr double kLine = 1.7;
 constexpr double kBold = 2.6;
 constexpr double kScanPoint = 2.6;
-constexpr double kNode = 3.2;
+constexpr double kNode = 2.8;
 constexpr double kMark = 9.0;
 constexpr double kAxis = 16.0;  ///< length of the axes of a frame
 }  // namespace widths

@@ -5,57 +5,16 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <vector>
 
 #include <Eigen/Core>
 
 #include "core/slam/recording.h"
+#include "render/grid_cache.h"
 #include "render/palette.h"
 #include "render/scene.h"
+#include "render/view_kinds.h"
 
 namespace loopscope {
-
-enum class ViewKind {
-  kMap,     ///< all submaps at their optimized poses, and the way of the robot
-  kSubmap,  ///< one probability grid, its scans and its frame
-  kUpdate,  ///< what one scan hit and missed, and the odds before and after
-  kMatch,   ///< one scan where it was predicted and where it was matched
-  kSearch,  ///< one loop search: where it looked, what it pruned, and what it found
-  kGraph,   ///< nodes, submaps, the constraints between them and their residuals
-};
-
-/// What can be drawn in a panel, from the bottom to the top.
-enum class LayerKind {
-  kGrid,
-  kMisses,
-  kHits,
-  kOdds,
-  kTree,
-  kRays,
-  kWindow,
-  kIntra,
-  kTrajectory,
-  kNodes,
-  kInter,
-  kResiduals,
-  kScan,
-  kFrames,
-  kRobot,
-  kLabels,
-};
-
-/// "map", "submap", "update", "match", "search" or "graph". Throws std::invalid_argument naming
-/// these for anything else.
-ViewKind ViewKindFromName(const std::string& name);
-std::string ToString(ViewKind kind);
-
-/// "grid", "misses", "hits", ... Throws std::invalid_argument naming all for anything else.
-LayerKind LayerKindFromName(const std::string& name);
-std::string ToString(LayerKind kind);
-
-/// The layers that a view has, and those of them that it draws if nothing else is asked for.
-const std::set<LayerKind>& LayersOf(ViewKind kind);
-const std::set<LayerKind>& DefaultLayersOf(ViewKind kind);
 
 /// What to draw of a recording, and how. Whatever is left out is chosen by the view.
 struct ViewRequest {
@@ -76,5 +35,8 @@ struct ViewRequest {
 /// graph, and that of the submap shown for the others. Throws std::invalid_argument that says what
 /// was expected if the recording does not have what is asked for.
 Scene BuildScene(const Recording& recording, const ViewRequest& request, int oversampling = 1);
+
+/// The same picture of the recording of `cache`, which makes a series of pictures faster.
+Scene BuildScene(GridCache* cache, const ViewRequest& request, int oversampling = 1);
 
 }  // namespace loopscope

@@ -47,8 +47,13 @@ Picture Painter::Draw(const Scene& scene) {
 }
 
 Picture Painter::Draw(const Recording& recording, const ViewRequest& request) {
+  GridCache cache(recording);
+  return Draw(&cache, request);
+}
+
+Picture Painter::Draw(GridCache* cache, const ViewRequest& request) {
   constexpr int kOversampling = 2;
-  return Draw(BuildScene(recording, request, kOversampling));
+  return Draw(BuildScene(cache, request, kOversampling));
 }
 
 }  // namespace loopscope

@@ -24,6 +24,8 @@ class Painter {
 
   /// BuildScene, with twice as many pixels each way for smooth edges, and Draw.
   Picture Draw(const Recording& recording, const ViewRequest& request);
+  /// Likewise, of the recording of `cache`.
+  Picture Draw(GridCache* cache, const ViewRequest& request);
 
  private:
   vtkSmartPointer<OffscreenWindow> window_;

@@ -33,39 +33,53 @@ CellBox PixelsOf(const PlacedGrid& grid, const Raster& raster) {
                       {{0, 0}, raster.width, raster.height});
 }
 
-/// For pixels larger than a cell: drops each cell into the pixel in which its middle lies.
-void FillFromCells(const PlacedGrid& placed, const Raster& raster, Patch* patch) {
+void Raise(CellIndex pixel, CellValue value, Patch* patch) {
+  if (!patch->box.Contains(pixel)) return;
+  CellValue& there = patch->values[patch->box.FlatIndex(pixel)];
+  there = std::max(there, value);
+}
+
+/// Points of a cell, relative to its middle: the middle, or those of its four quarters [cells].
+std::vector<Eigen::Vector2d> PointsOfCell(bool quarters) {
+  if (!quarters) return {Eigen::Vector2d::Zero()};
+  return {{-0.25, -0.25}, {0.25, -0.25}, {-0.25, 0.25}, {0.25, 0.25}};
+}
+
+/// For large pixels: drops every known cell into the pixels in which its points lie.
+void FillFromCells(const PlacedGrid& placed, const Raster& raster, bool quarters, Patch* patch) {
   const ProbabilityGrid& grid = *placed.grid;
-  const CellBox& cells = grid.box();
-  for (int y = cells.min.y; y < cells.min.y + cells.height; ++y) {
-    for (int x = cells.min.x; x < cells.min.x + cells.width; ++x) {
-      const CellValue value = grid.value({x, y});
-      if (value == kUnknown) continue;
-      const Eigen::Vector2d point =
-          placed.map_from_grid * CenterOf({x, y}, grid.resolution()) - raster.origin;
-      const CellIndex pixel = CellOf(point, raster.pixel_size);
-      if (!patch->box.Contains(pixel)) continue;
-      CellValue& there = patch->values[patch->box.FlatIndex(pixel)];
-      there = std::max(there, value);
+  const CellBox& box = grid.box();
+  // From cells of the grid to pixels of the raster.
+  const double scale = grid.resolution() / raster.pixel_size;
+  const Eigen::Matrix2d turn = scale * placed.map_from_grid.RotationMatrix();
+  const Eigen::Vector2d shift =
+      (placed.map_from_grid.translation - raster.origin) / raster.pixel_size;
+  for (const Eigen::Vector2d& point : PointsOfCell(quarters)) {
+    auto value = grid.cells().begin();
+    for (int y = 0; y < box.height; ++y) {
+      const Eigen::Vector2d first(box.min.x + point.x(), box.min.y + y + point.y());
+      Eigen::Vector2d pixel = turn * first + shift;
+      for (int x = 0; x < box.width; ++x, ++value, pixel += turn.col(0)) {
+        if (*value != kUnknown) Raise(CellOf(pixel, 1.0), *value, patch);
+      }
     }
   }
 }
 
-/// For smaller pixels: looks up the cells beneath `samples` x `samples` points of each pixel.
-void FillFromPixels(const PlacedGrid& placed, const Raster& raster, int samples, Patch* patch) {
+/// For small pixels: looks up the cell beneath the middle of each.
+void FillFromPixels(const PlacedGrid& placed, const Raster& raster, Patch* patch) {
   const ProbabilityGrid& grid = *placed.grid;
+  // From pixels of the raster to cells of the grid.
   const Pose2 grid_from_map = placed.map_from_grid.Inverse();
-  const double step = raster.pixel_size / samples;
-  const Eigen::Vector2d along_x = grid_from_map.RotationMatrix().col(0) * step;
-  const CellBox& box = patch->box;
-  for (int row = 0; row < box.height * samples; ++row) {
-    const Eigen::Vector2d first(box.min.x - 0.5 + 0.5 / samples,
-                                box.min.y - 0.5 + (row + 0.5) / samples);
-    Eigen::Vector2d point = grid_from_map * (raster.origin + raster.pixel_size * first);
-    CellValue* const pixels = &patch->values[static_cast<std::size_t>(row / samples) * box.width];
-    for (int column = 0; column < box.width * samples; ++column, point += along_x) {
-      const CellValue value = grid.value(CellOf(point, grid.resolution()));
-      pixels[column / samples] = std::max(pixels[column / samples], value);
+  const double scale = raster.pixel_size / grid.resolution();
+  const Eigen::Matrix2d turn = scale * grid_from_map.RotationMatrix();
+  const Eigen::Vector2d shift = (grid_from_map * raster.origin) / grid.resolution();
+  auto value = patch->values.begin();
+  for (int y = 0; y < patch->box.height; ++y) {
+    const Eigen::Vector2d first(patch->box.min.x, patch->box.min.y + y);
+    Eigen::Vector2d cell = turn * first + shift;
+    for (int x = 0; x < patch->box.width; ++x, ++value, cell += turn.col(0)) {
+      *value = grid.value(CellOf(cell, 1.0));
     }
   }
 }
@@ -75,12 +89,12 @@ Patch MakePatch(const PlacedGrid& placed, const Raster& raster) {
   patch.box = PixelsOf(placed, raster);
   if (patch.box.empty()) return {};
   patch.values.assign(patch.box.num_cells(), kUnknown);
-  // Sample points a cell's edge / sqrt(2) apart miss no cell, cells so far apart no pixel.
+  // Points no farther apart than a pixel's edge / sqrt(2) miss no pixel, and likewise with cells.
   const double cells_per_pixel = raster.pixel_size / placed.grid->resolution();
-  if (cells_per_pixel >= M_SQRT2) {
-    FillFromCells(placed, raster, &patch);
+  if (cells_per_pixel < M_SQRT1_2) {
+    FillFromPixels(placed, raster, &patch);
   } else {
-    FillFromPixels(placed, raster, cells_per_pixel > M_SQRT1_2 ? 2 : 1, &patch);
+    FillFromCells(placed, raster, cells_per_pixel < M_SQRT2, &patch);
   }
   return patch;
 }

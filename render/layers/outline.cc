@@ -13,4 +13,11 @@ vtkSmartPointer<vtkActor> OutlineLayer(const Extent& extent, const Color& color,
   return MakeActor(shapes.Build(), {line_width, 1.0, false});
 }
 
+vtkSmartPointer<vtkActor> CircleLayer(const Eigen::Vector2d& center, double radius,
+                                      const Color& color, double line_width) {
+  Shapes shapes;
+  shapes.AddCircle(center, radius, color);
+  return MakeActor(shapes.Build(), {line_width, 1.0, false});
+}
+
 }  // namespace loopscope

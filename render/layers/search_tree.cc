@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace loopscope {
@@ -16,16 +17,34 @@ bool SaysMore(const SearchNode& a, const SearchNode& b) {
   return std::pair(WasExpanded(a), a.bound) > std::pair(WasExpanded(b), b.bound);
 }
 
-std::vector<int> OneForEachBlock(const SearchTrace& trace, const std::vector<int>& nodes) {
+/// Of the `nodes` with the same key, the one that says most, in the order of the keys.
+template <typename KeyOf>
+std::vector<int> OneForEach(const std::vector<int>& nodes, const SearchTrace& trace,
+                            const KeyOf& key_of) {
   std::map<std::pair<int, int>, int> best;
   for (const int i : nodes) {
-    const SearchNode& node = trace.nodes[i];
-    const auto [place, is_new] = best.try_emplace({node.offset.x, node.offset.y}, i);
-    if (!is_new && SaysMore(node, trace.nodes[place->second])) place->second = i;
+    const auto [place, is_new] = best.try_emplace(key_of(trace.nodes[i]), i);
+    if (!is_new && SaysMore(trace.nodes[i], trace.nodes[place->second])) place->second = i;
   }
   std::vector<int> shown;
-  for (const auto& [offset, node] : best) shown.push_back(node);
+  for (const auto& [key, node] : best) shown.push_back(node);
   return shown;
+}
+
+Color FillOf(const SearchNode& node, const BoundRange& range, const Palette& palette) {
+  const Color color = palette.bound.At(range.PlaceOf(node.bound));
+  return WasExpanded(node) ? color : WithOpacity(color, kPrunedOpacity);
+}
+
+int NumHeights(const SearchTrace& trace) {
+  int highest = 0;
+  for (const SearchNode& node : trace.nodes) highest = std::max(highest, node.height);
+  return highest + 1;
+}
+
+/// Of a field of AnglesLayer.
+Eigen::Vector2d FieldSize(const SearchTrace& trace, double aspect) {
+  return {aspect / (2 * trace.window.num_angular_steps + 1), 1.0 / NumHeights(trace)};
 }
 
 std::vector<Eigen::Vector2d> CornersOf(const Extent& extent) {
@@ -55,7 +74,9 @@ std::vector<SearchLevel> LevelsOf(const SearchTrace& trace) {
     level.num_expanded = static_cast<int>(std::count_if(
         nodes.begin(), nodes.end(), [&](int i) { return WasExpanded(trace.nodes[i]); }));
     level.num_pruned = level.num_scored - level.num_expanded;
-    level.shown = OneForEachBlock(trace, nodes);
+    level.shown = OneForEach(nodes, trace, [](const SearchNode& node) {
+      return std::pair(node.offset.x, node.offset.y);
+    });
     levels.push_back(std::move(level));
   }
   return levels;
@@ -81,13 +102,33 @@ Extent WindowExtent(const SearchWindow& window) {
 
 vtkSmartPointer<vtkActor> BlocksLayer(const SearchTrace& trace, const SearchLevel& level,
                                       const BoundRange& range, const Palette& palette) {
-  constexpr double kPrunedOpacity = 0.4;
   Shapes shapes;
   for (const int i : level.shown) {
     const SearchNode& node = trace.nodes[i];
-    const Color color = palette.bound.At(range.PlaceOf(node.bound));
-    shapes.AddPolygon(CornersOf(BlockOf(node, trace.window)),
-                      WasExpanded(node) ? color : WithOpacity(color, kPrunedOpacity));
+    shapes.AddPolygon(CornersOf(BlockOf(node, trace.window)), FillOf(node, range, palette));
+  }
+  return MakeActor(shapes.Build());
+}
+
+Eigen::Vector2d FieldOf(const SearchNode& node, const SearchTrace& trace, double aspect) {
+  const Eigen::Vector2d place(node.angle_index + trace.window.num_angular_steps + 0.5,
+                              node.height + 0.5);
+  return FieldSize(trace, aspect).cwiseProduct(place);
+}
+
+vtkSmartPointer<vtkActor> AnglesLayer(const SearchTrace& trace, const BoundRange& range,
+                                      double aspect, const Palette& palette) {
+  std::vector<int> all(trace.nodes.size());
+  std::iota(all.begin(), all.end(), 0);
+  const Eigen::Vector2d half = 0.5 * FieldSize(trace, aspect);
+  Shapes shapes;
+  for (const int i : OneForEach(all, trace, [](const SearchNode& node) {
+         return std::pair(node.angle_index, node.height);
+       })) {
+    const SearchNode& node = trace.nodes[i];
+    const Eigen::Vector2d middle = FieldOf(node, trace, aspect);
+    shapes.AddPolygon(CornersOf(Extent(middle - half, middle + half)),
+                      FillOf(node, range, palette));
   }
   return MakeActor(shapes.Build());
 }

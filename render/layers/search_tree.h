@@ -43,9 +43,21 @@ Extent BlockOf(const SearchNode& node, const SearchWindow& window);
 /// Likewise those of the whole window.
 Extent WindowExtent(const SearchWindow& window);
 
+/// Of the fill of a pruned block.
+constexpr double kPrunedOpacity = 0.4;
+
 /// The blocks of a level, filled in the colours of their bounds; pruned ones are faded.
 vtkSmartPointer<vtkActor> BlocksLayer(const SearchTrace& trace, const SearchLevel& level,
                                       const BoundRange& range, const Palette& palette);
+
+/// All of the tree by angle: a column for each angle of the window, a row for each height, the
+/// lowest one at the bottom. Each field stands for the node there that says most, drawn as a block.
+/// The fields fill [0, `aspect`] x [0, 1].
+vtkSmartPointer<vtkActor> AnglesLayer(const SearchTrace& trace, const BoundRange& range,
+                                      double aspect, const Palette& palette);
+
+/// The middle of the field of `node` in AnglesLayer.
+Eigen::Vector2d FieldOf(const SearchNode& node, const SearchTrace& trace, double aspect);
 
 /// Outlines of the blocks of a level that were expanded.
 vtkSmartPointer<vtkActor> ExpandedLayer(const SearchTrace& trace, const SearchLevel& level,

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@
 #include "render/views/pose_layers.h"
 #include "render/views/selection.h"
 #include "render/views/sheet.h"
+#include "render/views/uncertainty.h"
 #include "render/views/views.h"
 
 namespace loopscope {
@@ -20,13 +22,29 @@ struct Graph {
   MapState state;
   std::vector<PlacedConstraint> intra;
   std::vector<PlacedConstraint> inter;
+  std::vector<PlacedConstraint> refused;  ///< loops that were found, but not believed
 };
 
+std::vector<Constraint> RefusedLoops(const Recording& recording, const MapState& state) {
+  std::vector<Constraint> refused;
+  for (int i = 0; i < state.num_candidates; ++i) {
+    const LoopCandidate& candidate = recording.candidates()[i];
+    const bool was_refused =
+        candidate.verdict == Verdict::kInconsistent || candidate.verdict == Verdict::kAmbiguous;
+    if (!was_refused) continue;
+    refused.push_back({candidate.submap, candidate.node, candidate.submap_from_node, 0.0, 0.0,
+                       Constraint::Tag::kInterSubmap});
+  }
+  return refused;
+}
+
 Graph GraphAfterStep(const Recording& recording, int step) {
-  Graph graph{StateAfterStep(recording, step), {}, {}};
+  Graph graph{StateAfterStep(recording, step), {}, {}, {}};
   const std::vector<Constraint> constraints = ConstraintsOf(recording, graph.state);
   graph.intra = PlaceConstraints(constraints, Constraint::Tag::kIntraSubmap, graph.state);
   graph.inter = PlaceConstraints(constraints, Constraint::Tag::kInterSubmap, graph.state);
+  graph.refused = PlaceConstraints(RefusedLoops(recording, graph.state),
+                                   Constraint::Tag::kInterSubmap, graph.state);
   return graph;
 }
 
@@ -41,6 +59,7 @@ std::vector<Fact> FactsOf(const Graph& graph) {
                           {"submaps", fmt::format("{}", graph.state.num_submaps)},
                           {"INTRA", fmt::format("{}", graph.intra.size())},
                           {"INTER", fmt::format("{}", graph.inter.size())},
+                          {"loops refused", fmt::format("{}", graph.refused.size())},
                           {"optimizations", fmt::format("{}", graph.state.num_optimizations)}};
   if (!graph.inter.empty()) {
     const auto worst =
@@ -54,30 +73,58 @@ std::vector<Fact> FactsOf(const Graph& graph) {
   return facts;
 }
 
-Annotation Describe(const Recording& recording, const Graph& graph, const MapColors& colors,
-                    const Palette& palette) {
+LayerKeys KeysOf(const MapColors& colors, const Palette& palette) {
+  const auto line = [&](LayerKind kind, const Color& color, const char* label) {
+    return std::pair(kind, LegendEntry{{Swatch::Kind::kLine, color, colors.unknown}, label});
+  };
+  return {{line(LayerKind::kInter, palette.inter, "INTER constraint"),
+           line(LayerKind::kResiduals, palette.inter_residual, "INTER residual"),
+           line(LayerKind::kIntra, HueOf(1), "INTRA constraint, by submap"),
+           line(LayerKind::kResiduals, palette.intra_residual, "INTRA residual"),
+           line(LayerKind::kRefused, palette.refused, "refused loop"),
+           line(LayerKind::kCovariances, palette.covariance, "covariance of a submap"),
+           {LayerKind::kNodes, {{Swatch::Kind::kPoint, palette.node, colors.unknown}, "node"}},
+           {LayerKind::kFrames, {{Swatch::Kind::kFrame, {}, colors.unknown}, "frame of a submap"}},
+           {LayerKind::kRobot, {{Swatch::Kind::kRobot, palette.robot, colors.unknown}, "robot"}}},
+          {}};
+}
+
+Annotation Describe(const Recording& recording, const Graph& graph) {
   Annotation annotation;
   annotation.title = "Pose graph";
   annotation.subtitle = Subtitle(recording, graph.state.step, {});
-  annotation.legend = {
-      {{Swatch::Kind::kLine, palette.inter, colors.unknown}, "INTER constraint"},
-      {{Swatch::Kind::kLine, palette.inter_residual, colors.unknown}, "INTER residual"},
-      {{Swatch::Kind::kLine, HueOf(1), colors.unknown}, "INTRA constraint, by submap"},
-      {{Swatch::Kind::kLine, palette.intra_residual, colors.unknown}, "INTRA residual"},
-      {{Swatch::Kind::kPoint, palette.node, colors.unknown}, "node"},
-      {{Swatch::Kind::kLine, palette.axis_x, colors.unknown}, "x of a submap"},
-      {{Swatch::Kind::kLine, palette.axis_y, colors.unknown}, "y of a submap"},
-      {{Swatch::Kind::kRobot, palette.robot, colors.unknown}, "robot"}};
   annotation.facts = FactsOf(graph);
   return annotation;
 }
 
+/// The more lines there are, the clearer each is, so that the map is seen through them.
+double OpacityOfMany(std::size_t count) {
+  return std::clamp(10.0 / std::sqrt(static_cast<double>(count) + 1.0), 0.2, 0.7);
+}
+
+/// Ellipses so large that they are seen: weights of constraints are no standard deviations.
+void DrawCovariances(const Recording& recording, const MapState& state, Sheet* sheet) {
+  constexpr int kMaxCount = 12;  // a covariance takes as long as an optimization
+  sheet->Add(0, LayerKind::kCovariances, [&] {
+    const auto points = UncertaintyOfSubmaps(recording, state, kMaxCount);
+    const double factor = EllipseFactor(points, sheet->Meters(0, 2.0 * widths::kAxis));
+    sheet->Say(0, fmt::format("ellipses: {:g} standard deviations", factor));
+    return EllipsesLayer(points, factor, sheet->palette().covariance, sheet->Px(widths::kLine));
+  });
+}
+
 void DrawConstraints(const Graph& graph, Sheet* sheet) {
   const Palette& palette = sheet->palette();
-  sheet->Add(0, LayerKind::kIntra,
-             [&] { return IntraConstraintsLayer(graph.intra, 0.5, sheet->Px(widths::kHairline)); });
+  sheet->Add(0, LayerKind::kIntra, [&] {
+    return IntraConstraintsLayer(graph.intra, OpacityOfMany(graph.intra.size() / 4),
+                                 sheet->Px(widths::kHairline));
+  });
+  sheet->Add(0, LayerKind::kRefused, [&] {
+    return InterConstraintsLayer(graph.refused, palette.refused, sheet->Px(widths::kHairline));
+  });
   sheet->Add(0, LayerKind::kInter, [&] {
-    return InterConstraintsLayer(graph.inter, WithOpacity(palette.inter, 0.7),
+    return InterConstraintsLayer(graph.inter,
+                                 WithOpacity(palette.inter, OpacityOfMany(graph.inter.size())),
                                  sheet->Px(widths::kThin));
   });
   sheet->Add(0, LayerKind::kResiduals, [&] {
@@ -90,16 +137,18 @@ void DrawConstraints(const Graph& graph, Sheet* sheet) {
 
 }  // namespace
 
-Scene BuildGraphView(const Recording& recording, const ViewRequest& request, int oversampling) {
+Scene BuildGraphView(GridCache* cache, const ViewRequest& request, int oversampling) {
+  const Recording& recording = cache->recording();
   const Graph graph = GraphAfterStep(recording, StepOf(recording, request));
   const Palette& palette = PaletteOf(request.theme);
   const MapColors colors = DarkMapColors(palette);
-  const std::vector<PlacedGrid> grids = GridsOfState(recording, graph.state);
+  const std::vector<PlacedGrid> grids = PlacedGridsOf(cache, graph.state);
 
-  Sheet sheet(request, oversampling, Describe(recording, graph, colors, palette));
+  Sheet sheet(request, oversampling, Describe(recording, graph), KeysOf(colors, palette));
   sheet.Open(0, ExtentOf(grids), colors.unknown);
   DrawMap(grids, colors, &sheet);
   DrawConstraints(graph, &sheet);
+  DrawCovariances(recording, graph.state, &sheet);
   DrawPoses(graph.state,
             {WithOpacity(palette.node, 0.6), palette.node, palette.dark_label,
              WithOpacity(palette.dark_unknown, 0.6)},

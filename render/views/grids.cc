@@ -6,20 +6,14 @@
 
 #include <fmt/format.h>
 
-#include "core/slam/derive.h"
-#include "render/parallel.h"
-
 namespace loopscope {
 
-std::vector<PlacedGrid> GridsOfState(const Recording& recording, const MapState& state) {
-  std::vector<PlacedGrid> grids(state.num_submaps);
-  ParallelFor(state.num_submaps, [&](int i) {
-    const SubmapId submap{i};
-    const int num_nodes = NumNodesOfSubmapAfterStep(recording, submap, state.step);
-    grids[i] = {std::make_shared<ProbabilityGrid>(GridOfSubmap(recording, submap, num_nodes)),
-                state.global_from_submap[i]};
-  });
-  return grids;
+std::vector<PlacedGrid> PlacedGridsOf(GridCache* cache, const MapState& state) {
+  std::vector<PlacedGrid> placed;
+  for (const GridCache::Grid& grid : cache->GridsOfState(state)) {
+    placed.push_back({grid, state.global_from_submap[placed.size()]});
+  }
+  return placed;
 }
 
 Extent ExtentOf(const std::vector<PlacedGrid>& grids) {
@@ -41,6 +35,10 @@ LegendEntry UnknownEntry(const MapColors& colors) {
 std::string LengthText(double length) {
   return std::abs(length) < 1.0 ? fmt::format("{:.1f} cm", 100.0 * length)
                                 : fmt::format("{:.2f} m", length);
+}
+
+std::string CountText(double count) {
+  return count < 1e6 ? fmt::format("{:.0f}", count) : fmt::format("{:.2f} million", 1e-6 * count);
 }
 
 std::string AngleText(double radians) { return fmt::format("{:.2f}°", RadiansToDegrees(radians)); }

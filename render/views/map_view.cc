@@ -27,15 +27,20 @@ int NumLoops(const Recording& recording, const MapState& state) {
   return count;
 }
 
-Annotation Describe(const Recording& recording, const MapState& state, const Extent& extent,
-                    const MapColors& colors, const Palette& palette) {
+LayerKeys KeysOf(const MapColors& colors, const Palette& palette) {
+  return {{{LayerKind::kGrid, UnknownEntry(colors)},
+           {LayerKind::kTrajectory,
+            {{Swatch::Kind::kLine, palette.trajectory, colors.free}, "way of the robot"}},
+           {LayerKind::kNodes, {{Swatch::Kind::kPoint, palette.trajectory, colors.free}, "node"}},
+           {LayerKind::kFrames, {{Swatch::Kind::kFrame, {}, colors.free}, "frame of a submap"}},
+           {LayerKind::kRobot, {{Swatch::Kind::kRobot, palette.robot, colors.free}, "robot"}}},
+          {{LayerKind::kGrid, OccupancyBar(colors)}}};
+}
+
+Annotation Describe(const Recording& recording, const MapState& state, const Extent& extent) {
   Annotation annotation;
   annotation.title = "Map";
   annotation.subtitle = Subtitle(recording, state.step, {});
-  annotation.legend = {UnknownEntry(colors),
-                       {{Swatch::Kind::kLine, palette.trajectory, colors.free}, "way of the robot"},
-                       {{Swatch::Kind::kRobot, palette.robot, colors.free}, "robot"}};
-  annotation.color_bars = {OccupancyBar(colors)};
   annotation.facts = {{"nodes", fmt::format("{}", state.num_nodes)},
                       {"submaps", fmt::format("{}", state.num_submaps)},
                       {"loops closed", fmt::format("{}", NumLoops(recording, state))},
@@ -49,14 +54,15 @@ Annotation Describe(const Recording& recording, const MapState& state, const Ext
 
 }  // namespace
 
-Scene BuildMapView(const Recording& recording, const ViewRequest& request, int oversampling) {
+Scene BuildMapView(GridCache* cache, const ViewRequest& request, int oversampling) {
+  const Recording& recording = cache->recording();
   const MapState state = StateAfterStep(recording, StepOf(recording, request));
-  const std::vector<PlacedGrid> grids = GridsOfState(recording, state);
+  const std::vector<PlacedGrid> grids = PlacedGridsOf(cache, state);
   const Extent extent = ExtentOf(grids);
   const Palette& palette = PaletteOf(request.theme);
   const MapColors colors = PlainMapColors(palette);
 
-  Sheet sheet(request, oversampling, Describe(recording, state, extent, colors, palette));
+  Sheet sheet(request, oversampling, Describe(recording, state, extent), KeysOf(colors, palette));
   sheet.Open(0, extent, colors.unknown);
   DrawMap(grids, colors, &sheet);
   DrawPoses(state,

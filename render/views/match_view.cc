@@ -35,8 +35,18 @@ std::vector<ScanPlace> PlacesOf(const MatchReplay& match, const Palette& palette
   return places;
 }
 
-Annotation Describe(const Recording& recording, int step, const MatchReplay& match,
-                    const std::vector<ScanPlace>& places, const MapColors& colors) {
+LayerKeys KeysOf(const std::vector<ScanPlace>& places, const MapColors& colors) {
+  LayerKeys keys;
+  for (const ScanPlace& place : places) {
+    keys.legend.push_back(
+        {LayerKind::kScan, {{Swatch::Kind::kPoint, place.color, colors.free}, place.label}});
+  }
+  keys.legend.push_back({LayerKind::kGrid, UnknownEntry(colors)});
+  keys.color_bars = {{LayerKind::kGrid, OccupancyBar(colors)}};
+  return keys;
+}
+
+Annotation Describe(const Recording& recording, int step, const MatchReplay& match) {
   const Pose2 correction = match.submap_from_base_prior.Inverse() * match.submap_from_base;
   const std::optional<NodeId> node = recording.step(step).node;
   Annotation annotation;
@@ -44,11 +54,6 @@ Annotation Describe(const Recording& recording, int step, const MatchReplay& mat
       "Match of the scan of step " + std::to_string(step) + " in submap " + ToString(match.submap);
   annotation.subtitle =
       Subtitle(recording, step, {node ? "node " + ToString(*node) : std::string("not inserted")});
-  for (const ScanPlace& place : places) {
-    annotation.legend.push_back({{Swatch::Kind::kPoint, place.color, colors.free}, place.label});
-  }
-  annotation.legend.push_back(UnknownEntry(colors));
-  annotation.color_bars = {OccupancyBar(colors)};
   annotation.facts = {{"moved ahead", LengthText(correction.x())},
                       {"moved left", LengthText(correction.y())},
                       {"turned left", AngleText(correction.rotation)},
@@ -123,13 +128,13 @@ Scene BuildMatchView(const Recording& recording, const ViewRequest& request, int
   const MapColors colors = PlainMapColors(palette);
   const std::vector<ScanPlace> places = PlacesOf(match, palette);
 
-  Sheet sheet(request, oversampling, Describe(recording, step, match, places, colors), {2});
+  Sheet sheet(request, oversampling, Describe(recording, step, match), KeysOf(places, colors), {2});
   const std::vector<PointOfInterest> moves = MovesOf(match);
   const Extent wall = SquareOfMostInterest(moves, CloseUpSize(LargestWeight(moves), 1.0));
   const Eigen::Vector2d& robot = match.submap_from_base.translation;
   const double moved = (robot - match.submap_from_base_prior.translation).norm();
-  sheet.Open(0, ExtentOfScan(match), colors.unknown, {"all", "the scan over the submap"});
-  sheet.Open(1, wall, colors.unknown, {"where it moved most"});
+  sheet.Open(0, ExtentOfScan(match), colors.unknown, {"over the submap"});
+  sheet.Open(1, wall, colors.unknown, {"close-up", "where it moved most"});
   sheet.Open(2, SquareAround(robot, CloseUpSize(moved, 0.1)), colors.unknown, {"robot"});
   DrawPanel(match, places, colors, widths::kScanPoint, 0, &sheet);
   DrawPanel(match, places, colors, 2.5 * widths::kScanPoint, 1, &sheet);

@@ -35,6 +35,8 @@ std::string VerdictText(Verdict verdict) {
       return "not sampled";
     case Verdict::kBelowMinScore:
       return "below min_score";
+    case Verdict::kAmbiguous:
+      return "fits elsewhere as well";
     case Verdict::kInconsistent:
       return "no other loop agrees";
     case Verdict::kAccepted:
@@ -48,25 +50,41 @@ double NumPoses(const SearchWindow& window) {
   return linear * linear * (2.0 * window.num_angular_steps + 1.0);
 }
 
-std::vector<Fact> FactsOf(const SearchReplay& search) {
-  const SearchWindow& window = search.trace.window;
+/// How far the search, and then the refinement by (CS), moved the node.
+std::vector<Fact> MovesOf(const SearchReplay& search) {
   const LoopCandidate& result = search.result;
   const Pose2 moved =
       search.candidate.submap_from_node_guess.Inverse() * result.submap_from_node_searched;
+  std::vector<Fact> facts{{"moved", LengthText(moved.translation.norm())},
+                          {"turned left", AngleText(moved.rotation)}};
+  if (search.trace.winner < 0) return facts;
+  const Pose2 refined = result.submap_from_node_searched.Inverse() * result.submap_from_node;
+  facts.push_back({"refined by", LengthText(refined.translation.norm())});
+  return facts;
+}
+
+std::vector<Fact> FactsOf(const SearchReplay& search) {
+  const LoopCandidate& result = search.result;
+  const SearchWindow& window = search.trace.window;
   const double num_poses = NumPoses(window);
   const std::size_t num_scored = search.trace.nodes.size();
-  return {
-      {"verdict", VerdictText(result.verdict)},
-      {"best score", fmt::format("{:.3f}", result.score)},
-      {"no pose above", fmt::format("{:.3f}", result.score_bound)},
-      {"min_score", fmt::format("{:.3f}", result.min_score)},
-      {"nodes that agree", fmt::format("{}", search.candidate.num_supporters)},
-      {"moved", LengthText(moved.translation.norm())},
-      {"turned left", AngleText(moved.rotation)},
+  // The replay is the search alone: what other loops say of it is in the recording.
+  const Verdict verdict = search.recorded ? search.candidate.verdict : result.verdict;
+  std::vector<Fact> facts{{"verdict", VerdictText(verdict)},
+                          {"best score", fmt::format("{:.3f}", result.score)},
+                          {"no pose above", fmt::format("{:.3f}", result.score_bound)},
+                          {"min_score", fmt::format("{:.3f}", result.min_score)},
+                          {"rival score", fmt::format("{:.3f}", result.rival_score)},
+                          {"nodes that agree", fmt::format("{}", search.candidate.num_supporters)}};
+  if (result.rival_score <= 0.0) facts.erase(facts.begin() + 4);
+  for (const Fact& fact : MovesOf(search)) facts.push_back(fact);
+  facts.push_back(
       {"window", fmt::format("±{:.2f} m, ±{:.0f}°", window.num_linear_steps * window.resolution,
-                             RadiansToDegrees(window.num_angular_steps * window.angular_step))},
-      {"poses in it", fmt::format("{:.3g} million", 1e-6 * num_poses)},
-      {"nodes scored", fmt::format("{} ({:.2g} %)", num_scored, 100.0 * num_scored / num_poses)}};
+                             RadiansToDegrees(window.num_angular_steps * window.angular_step))});
+  facts.push_back({"poses in it", CountText(num_poses)});
+  facts.push_back(
+      {"nodes scored", fmt::format("{} ({:.2g} %)", num_scored, 100.0 * num_scored / num_poses)});
+  return facts;
 }
 
 ColorBar BoundBar(const BoundRange& range, double min_score, const Palette& palette) {
@@ -78,23 +96,29 @@ ColorBar BoundBar(const BoundRange& range, double min_score, const Palette& pale
   return bar;
 }
 
-Annotation Describe(const Recording& recording, const SearchReplay& search, const BoundRange& range,
-                    const MapColors& colors, const Palette& palette) {
+LayerKeys KeysOf(const SearchReplay& search, const BoundRange& range, const MapColors& colors,
+                 const Palette& palette) {
+  const char* const found =
+      search.trace.winner >= 0 ? "scan at the winner" : "scan at the best pose";
+  const Color bright = palette.bound.At(0.8);
+  const Color dark = WithOpacity(palette.bound.At(0.3), kPrunedOpacity);
+  return {{{LayerKind::kScan,
+            {{Swatch::Kind::kPoint, palette.prior, colors.free}, "scan where it was expected"}},
+           {LayerKind::kScan, {{Swatch::Kind::kPoint, palette.winner, colors.free}, found}},
+           {LayerKind::kWindow,
+            {{Swatch::Kind::kOutline, palette.window, colors.free}, "search window"}},
+           {LayerKind::kTree, {{Swatch::Kind::kOutline, palette.expanded, bright}, "expanded"}},
+           {LayerKind::kTree, {{Swatch::Kind::kFill, dark, palette.paper}, "pruned"}}},
+          {{LayerKind::kTree, BoundBar(range, search.result.min_score, palette)}}};
+}
+
+Annotation Describe(const Recording& recording, const SearchReplay& search) {
   Annotation annotation;
   annotation.title = "Search of node " + ToString(search.candidate.node) + " in submap " +
                      ToString(search.candidate.submap);
   annotation.subtitle =
       Subtitle(recording, search.candidate.considered_step,
                {search.recorded ? "as the mapper did" : "not done by the mapper"});
-  const bool won = search.trace.winner >= 0;
-  annotation.legend = {
-      {{Swatch::Kind::kPoint, palette.prior, colors.free}, "scan where it was expected"},
-      {{Swatch::Kind::kPoint, palette.winner, colors.free},
-       won ? "scan at the winner" : "scan at the best pose"},
-      {{Swatch::Kind::kOutline, palette.window, colors.free}, "search window"},
-      {{Swatch::Kind::kOutline, palette.expanded, palette.bound.At(0.8)}, "expanded"},
-      {{Swatch::Kind::kFill, WithOpacity(palette.bound.At(0.3), 0.4), palette.paper}, "pruned"}};
-  annotation.color_bars = {BoundBar(range, search.result.min_score, palette)};
   annotation.facts = FactsOf(search);
   return annotation;
 }
@@ -141,10 +165,26 @@ void DrawLevel(const SearchReplay& search, const SearchLevel& level, const Bound
                         sheet->Px(widths::kThin));
   });
   sheet->Add(panel, LayerKind::kRobot, [&] {
-    Shapes winner;
-    winner.AddCircle(search.result.submap_from_node_searched.translation,
-                     sheet->Meters(panel, 0.7 * widths::kMark), palette.winner);
-    return MakeActor(winner.Build(), {sheet->Px(widths::kBold), 1.0, false});
+    return CircleLayer(search.result.submap_from_node_searched.translation,
+                       sheet->Meters(panel, 0.7 * widths::kMark), palette.winner,
+                       sheet->Px(widths::kBold));
+  });
+}
+
+void DrawAngles(const SearchReplay& search, const BoundRange& range, Sheet* sheet) {
+  const int panel = sheet->num_panels() - 1;
+  const SearchTrace& trace = search.trace;
+  const SearchWindow& window = trace.window;
+  const double degrees = RadiansToDegrees(window.num_angular_steps * window.angular_step);
+  const double aspect = sheet->OpenChart(
+      panel, {fmt::format("by angle, -{0:.0f}° to {0:.0f}°", degrees), "height 0 at the bottom"});
+  const Palette& palette = sheet->palette();
+  sheet->Add(panel, LayerKind::kTree, [&] { return AnglesLayer(trace, range, aspect, palette); });
+  if (trace.winner < 0) return;
+  sheet->Add(panel, LayerKind::kRobot, [&] {
+    const Eigen::Vector2d field = FieldOf(trace.nodes[trace.winner], trace, aspect);
+    return CircleLayer(field, sheet->Meters(panel, 0.7 * widths::kMark), palette.winner,
+                       sheet->Px(widths::kBold));
   });
 }
 
@@ -158,8 +198,9 @@ Scene BuildSearchView(const Recording& recording, const ViewRequest& request, in
   const Palette& palette = PaletteOf(request.theme);
   const MapColors colors = PlainMapColors(palette);
 
-  Sheet sheet(request, oversampling, Describe(recording, search, range, colors, palette),
-              {static_cast<int>(levels.size()), 0.42, 2});
+  Sheet sheet(request, oversampling, Describe(recording, search),
+              KeysOf(search, range, colors, palette),
+              {static_cast<int>(levels.size()) + 1, 0.42, 2});
   PlacedGrid grid{std::make_shared<ProbabilityGrid>(search.grid), Pose2()};
   Extent extent = ExtentOf(grid);
   extent.extend(WindowExtent(search.trace.window));
@@ -173,6 +214,7 @@ Scene BuildSearchView(const Recording& recording, const ViewRequest& request, in
                 fmt::format("{} of {} expanded", level.num_expanded, level.num_scored)});
     DrawLevel(search, level, range, panel, &sheet);
   }
+  DrawAngles(search, range, &sheet);
   return sheet.Finish();
 }
 

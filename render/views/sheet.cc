@@ -7,16 +7,25 @@
 namespace loopscope {
 
 Sheet::Sheet(const ViewRequest& request, int oversampling, Annotation annotation,
-             const Arrangement& arrangement)
+             const LayerKeys& keys, const Arrangement& arrangement)
     : request_(request),
       palette_(PaletteOf(request.theme)),
       oversampling_(oversampling),
-      annotation_(std::move(annotation)),
+      shown_(request.layers.value_or(DefaultLayersOf(request.view))),
+      annotation_(Complete(std::move(annotation), keys)),
       layout_(LayOut(MakeSheetSize(request.width, request.height, oversampling), annotation_,
                      arrangement)),
-      shown_(request.layers.value_or(DefaultLayersOf(request.view))),
-      drafts_(layout_.panels.size()) {
-  if (!request.title.empty()) annotation_.title = request.title;
+      drafts_(layout_.panels.size()) {}
+
+Annotation Sheet::Complete(Annotation annotation, const LayerKeys& keys) const {
+  if (!request_.title.empty()) annotation.title = request_.title;
+  for (const auto& [kind, entry] : keys.legend) {
+    if (Shows(kind)) annotation.legend.push_back(entry);
+  }
+  for (const auto& [kind, bar] : keys.color_bars) {
+    if (Shows(kind)) annotation.color_bars.push_back(bar);
+  }
+  return annotation;
 }
 
 void Sheet::Open(int panel, const Extent& extent, const Color& canvas,
@@ -32,6 +41,15 @@ void Sheet::Open(int panel, const Extent& extent, const Color& canvas,
   }
 }
 
+double Sheet::OpenChart(int panel, std::vector<std::string> caption) {
+  const Box& box = frame(panel);
+  const double width = box.width / box.height;
+  Open(panel, Extent(Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(width, 1.0)), palette_.paper,
+       std::move(caption));
+  drafts_[panel].has_scale = false;
+  return width;
+}
+
 Scene Sheet::Finish() const {
   Scene scene;
   scene.width = layout_.size.width;
@@ -41,8 +59,8 @@ Scene Sheet::Finish() const {
   scene.annotation = DrawAnnotation(annotation_, layout_, palette_);
   for (int i = 0; i < num_panels(); ++i) {
     const PanelDraft& draft = drafts_[i];
-    const Props edge =
-        DrawPanelEdge(layout_.panels[i], draft.camera, draft.caption, layout_.size, palette_);
+    const Props edge = DrawPanelEdge(layout_.panels[i], draft.has_scale ? &draft.camera : nullptr,
+                                     draft.caption, layout_.size, palette_);
     scene.annotation.insert(scene.annotation.end(), edge.begin(), edge.end());
     Panel panel{frame(i), draft.camera, draft.canvas, {}};
     for (const auto& [kind, prop] : draft.layers) panel.props.push_back(prop);

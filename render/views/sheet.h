@@ -15,10 +15,17 @@
 
 namespace loopscope {
 
+/// What the layers of a picture look like. Only those that are drawn are explained.
+struct LayerKeys {
+  std::vector<std::pair<LayerKind, LegendEntry>> legend;
+  std::vector<std::pair<LayerKind, ColorBar>> color_bars;
+};
+
 /// A picture in the making. A view says what stands around its maps, and gets panels to draw in.
 class Sheet {
  public:
-  Sheet(const ViewRequest& request, int oversampling, Annotation annotation,
+  /// `annotation` without legend and colour bars, which follow from `keys`.
+  Sheet(const ViewRequest& request, int oversampling, Annotation annotation, const LayerKeys& keys,
         const Arrangement& arrangement = {});
 
   const Palette& palette() const { return palette_; }
@@ -40,6 +47,13 @@ class Sheet {
   void Open(int panel, const Extent& extent, const Color& canvas,
             std::vector<std::string> caption = {});
 
+  /// Opens a panel that shows [0, w] x [0, 1], something that is no map and has no scale bar.
+  /// Returns w.
+  double OpenChart(int panel, std::vector<std::string> caption);
+
+  /// Adds a part to the caption of an open panel.
+  void Say(int panel, const std::string& part) { drafts_[panel].caption.push_back(part); }
+
   /// Adds what `draw` returns if the layer is to be shown. Later ones of a kind cover earlier ones.
   template <typename Draw>
   void Add(int panel, LayerKind kind, const Draw& draw) {
@@ -53,15 +67,18 @@ class Sheet {
     FlatCamera camera;
     Color canvas;
     std::vector<std::string> caption;
+    bool has_scale = true;
     std::multimap<LayerKind, vtkSmartPointer<vtkProp>> layers;  // in the order of drawing
   };
+
+  Annotation Complete(Annotation annotation, const LayerKeys& keys) const;
 
   const ViewRequest& request_;
   const Palette& palette_;
   int oversampling_;
+  std::set<LayerKind> shown_;
   Annotation annotation_;
   Layout layout_;
-  std::set<LayerKind> shown_;
   std::vector<PanelDraft> drafts_;
 };
 

@@ -40,8 +40,18 @@ int NumKnownCells(const ProbabilityGrid& grid) {
   return static_cast<int>(cells.size() - std::count(cells.begin(), cells.end(), kUnknown));
 }
 
-Annotation Describe(const Recording& recording, const SubmapAt& submap, const MapColors& colors,
-                    const Palette& palette) {
+LayerKeys KeysOf(const MapColors& colors, const Palette& palette) {
+  return {{{LayerKind::kGrid, UnknownEntry(colors)},
+           {LayerKind::kScan,
+            {{Swatch::Kind::kPoint, palette.scan, colors.free}, "returns of its scans"}},
+           {LayerKind::kTrajectory,
+            {{Swatch::Kind::kLine, palette.trajectory, colors.free}, "way of the robot"}},
+           {LayerKind::kNodes, {{Swatch::Kind::kPoint, palette.trajectory, colors.free}, "node"}},
+           {LayerKind::kFrames, {{Swatch::Kind::kFrame, {}, colors.free}, "its frame"}}},
+          {{LayerKind::kGrid, OccupancyBar(colors)}}};
+}
+
+Annotation Describe(const Recording& recording, const SubmapAt& submap) {
   const Submap& record = recording.submap(submap.id);
   const ProbabilityGrid& grid = *submap.grid.grid;
   const CellBox box = grid.KnownBox();
@@ -50,12 +60,6 @@ Annotation Describe(const Recording& recording, const SubmapAt& submap, const Ma
   Annotation annotation;
   annotation.title = "Submap " + ToString(submap.id);
   annotation.subtitle = Subtitle(recording, submap.step, {});
-  annotation.legend = {UnknownEntry(colors),
-                       {{Swatch::Kind::kPoint, palette.scan, colors.free}, "returns of its scans"},
-                       {{Swatch::Kind::kLine, palette.trajectory, colors.free}, "way of the robot"},
-                       {{Swatch::Kind::kLine, palette.axis_x, colors.free}, "x of its frame"},
-                       {{Swatch::Kind::kLine, palette.axis_y, colors.free}, "y of its frame"}};
-  annotation.color_bars = {OccupancyBar(colors)};
   annotation.facts = {
       {"nodes", fmt::format("{} to {}", record.first_node.index,
                             record.first_node.index + submap.num_nodes - 1)},
@@ -88,7 +92,7 @@ Scene BuildSubmapView(const Recording& recording, const ViewRequest& request, in
   const Palette& palette = PaletteOf(request.theme);
   const MapColors colors = PlainMapColors(palette);
 
-  Sheet sheet(request, oversampling, Describe(recording, submap, colors, palette));
+  Sheet sheet(request, oversampling, Describe(recording, submap), KeysOf(colors, palette));
   sheet.Open(0, ExtentOf(submap.grid), colors.unknown);
   sheet.Add(0, LayerKind::kGrid, [&] {
     return CellImageLayer(GridImage(*submap.grid.grid, colors), Pose2(),

@@ -88,20 +88,22 @@ ColorBar OddsBar(const Palette& palette) {
            {PlaceOnOddsScale(0.9), "9:1"}}};
 }
 
-Annotation Describe(const Recording& recording, const GridUpdate& update, const MapColors& colors,
-                    const Palette& palette) {
+LayerKeys KeysOf(const MapColors& colors, const Palette& palette) {
+  return {{{LayerKind::kHits, {{Swatch::Kind::kFill, palette.hit, colors.free}, "hit"}},
+           {LayerKind::kMisses, {{Swatch::Kind::kFill, palette.miss, colors.free}, "miss"}},
+           {LayerKind::kRays, {{Swatch::Kind::kLine, palette.ray, colors.free}, "ray"}},
+           {LayerKind::kRobot, {{Swatch::Kind::kRobot, palette.robot, colors.free}, "robot"}},
+           {LayerKind::kOdds,
+            {{Swatch::Kind::kFill, palette.never_seen, colors.free}, "first seen by this scan"}}},
+          {{LayerKind::kOdds, OddsBar(palette)}}};
+}
+
+Annotation Describe(const Recording& recording, const GridUpdate& update) {
   const auto& inserter = recording.options().trajectory_builder_2d.submaps.range_data_inserter;
   Annotation annotation;
   annotation.title =
       "Update of submap " + ToString(update.submap) + " by node " + ToString(update.node);
   annotation.subtitle = Subtitle(recording, recording.node(update.node).step, {});
-  annotation.legend = {
-      {{Swatch::Kind::kFill, palette.hit, colors.free}, "hit"},
-      {{Swatch::Kind::kFill, palette.miss, colors.free}, "miss"},
-      {{Swatch::Kind::kLine, palette.ray, colors.free}, "ray"},
-      {{Swatch::Kind::kRobot, palette.robot, colors.free}, "robot"},
-      {{Swatch::Kind::kFill, palette.never_seen, palette.never_seen}, "first seen by this scan"}};
-  annotation.color_bars = {OddsBar(palette)};
   annotation.facts = {
       {"hits", fmt::format("{} cells", update.cells.hits.size())},
       {"misses", fmt::format("{} cells", update.cells.misses.size())},
@@ -158,12 +160,12 @@ Scene BuildUpdateView(const Recording& recording, const ViewRequest& request, in
   const Palette& palette = PaletteOf(request.theme);
   const MapColors colors = PlainMapColors(palette);
 
-  Sheet sheet(request, oversampling, Describe(recording, update, colors, palette), {2});
+  Sheet sheet(request, oversampling, Describe(recording, update), KeysOf(colors, palette), {2});
   const Extent extent = ExtentOfCells(update.changed, update.before.resolution());
   constexpr double kCloseUp = 3.0;  // [m]
   const Extent close_up =
       request.center ? SquareAround(*request.center, kCloseUp) : MostChanged(update, kCloseUp);
-  sheet.Open(0, extent, colors.unknown, {"observed", "by one scan"});
+  sheet.Open(0, extent, colors.unknown, {"observed"});
   sheet.Open(1, close_up, colors.unknown, {"before"});
   sheet.Open(2, close_up, colors.unknown, {"after"});
   DrawCells(update, colors, &sheet);

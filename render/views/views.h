@@ -8,11 +8,11 @@ namespace loopscope {
 
 // One function for each kind of view, called by BuildScene.
 
-Scene BuildMapView(const Recording& recording, const ViewRequest& request, int oversampling);
+Scene BuildMapView(GridCache* cache, const ViewRequest& request, int oversampling);
 Scene BuildSubmapView(const Recording& recording, const ViewRequest& request, int oversampling);
 Scene BuildUpdateView(const Recording& recording, const ViewRequest& request, int oversampling);
 Scene BuildMatchView(const Recording& recording, const ViewRequest& request, int oversampling);
 Scene BuildSearchView(const Recording& recording, const ViewRequest& request, int oversampling);
-Scene BuildGraphView(const Recording& recording, const ViewRequest& request, int oversampling);
+Scene BuildGraphView(GridCache* cache, const ViewRequest& request, int oversampling);
 
 }  // namespace loopscope

@@ -90,5 +90,21 @@ TEST(ExpandedLayerTest, OutlinesOnlyWhatWasExpanded) {
   EXPECT_TRUE(PointOf(layer, 0).isApprox(Eigen::Vector2d(0.75, 0.75), 1e-6));
 }
 
+TEST(AnglesLayerTest, HasAFieldForEachAngleAndHeightThatSaysMost) {
+  const SearchTrace trace = SmallTrace();  // 3 angles, heights up to 2
+  const Palette& palette = PaletteOf(Theme::kDefault);
+  const auto layer = AnglesLayer(trace, BoundRangeOf(trace), 3.0, palette);
+  ASSERT_EQ(DataOf(layer)->GetNumberOfPolys(), 3);  // (0, 0), (0, 2), (1, 2)
+  EXPECT_EQ(ColorOf(layer, 0), palette.bound.At(BoundRangeOf(trace).PlaceOf(0.7)));
+  EXPECT_EQ(ColorOf(layer, 4), palette.bound.At(BoundRangeOf(trace).PlaceOf(0.8)));
+  EXPECT_EQ(ColorOf(layer, 8), WithOpacity(palette.bound.At(1.0), kPrunedOpacity));
+}
+
+TEST(AnglesLayerTest, PutsFieldsSideBySideFromTheLowestAngleAndHeight) {
+  const SearchTrace trace = SmallTrace();
+  EXPECT_TRUE(FieldOf(trace.nodes[4], trace, 3.0).isApprox(Eigen::Vector2d(1.5, 0.5 / 3.0)));
+  EXPECT_TRUE(FieldOf(trace.nodes[1], trace, 3.0).isApprox(Eigen::Vector2d(2.5, 2.5 / 3.0)));
+}
+
 }  // namespace
 }  // namespace loopscope

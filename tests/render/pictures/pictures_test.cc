@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/headless/painter.h"
+#include "tests/render/pictures/expect_picture.h"
+#include "tests/support/mapped_log.h"
+
+namespace loopscope {
+namespace {
+
+/// A request written as one expression.
+struct Ask : ViewRequest {
+  explicit Ask(ViewKind kind) {
+    view = kind;
+    width = 800;
+    height = 500;
+  }
+  Ask& Step(int value) { return step = value, *this; }
+  Ask& Node(int value) { return node = NodeId{value}, *this; }
+  Ask& Submap(int value) { return submap = SubmapId{value}, *this; }
+  Ask& Size(int w, int h) { return width = w, height = h, *this; }
+  Ask& ColorBlind() { return theme = Theme::kColorBlind, *this; }
+  Ask& Title(const char* value) { return title = value, *this; }
+  Ask& Around(double x, double y, double meters) {
+    return center = Eigen::Vector2d(x, y), width_in_meters = meters, *this;
+  }
+  Ask& Layers(const std::set<LayerKind>& value) { return layers = value, *this; }
+};
+
+const Recording& SmallLoop() {
+  static const Recording recording = MapLog(SimulateSmallLoop().log, SmallLoopOptions());
+  return recording;
+}
+
+void ExpectView(const std::string& name, const ViewRequest& request, Backend backend) {
+  ExpectPicture(Painter(backend).Draw(SmallLoop(), request), name,
+                {LOOPSCOPE_SOURCE_DIR "/tests/baselines", LOOPSCOPE_BINARY_DIR "/pictures"});
+}
+
+/// One line per picture: its name, which is that of its baseline, and what is asked for.
+#define PICTURE(name, request) \
+  TEST(PicturesTest, name) { ExpectView(#name, request, Backend::kOsmesa); }
+
+using V = ViewKind;
+using L = LayerKind;
+
+PICTURE(map, Ask(V::kMap))
+PICTURE(map_at_first_step, Ask(V::kMap).Step(0))
+PICTURE(map_before_loops, Ask(V::kMap).Step(120))
+PICTURE(map_tiny, Ask(V::kMap).Size(320, 240))
+PICTURE(map_tall, Ask(V::kMap).Size(480, 800))
+PICTURE(map_close_up, Ask(V::kMap).Around(4.1, 0.8, 1.6).Title("A wall, cell by cell"))
+PICTURE(map_with_frames, Ask(V::kMap).Layers({L::kGrid, L::kFrames, L::kLabels}))
+PICTURE(submap, Ask(V::kSubmap))
+PICTURE(submap_still_growing, Ask(V::kSubmap).Step(100).Submap(8))
+PICTURE(submap_tiny, Ask(V::kSubmap).Size(320, 240))
+PICTURE(update, Ask(V::kUpdate).Step(140))
+PICTURE(update_by_first_node, Ask(V::kUpdate).Node(0))
+PICTURE(update_tiny, Ask(V::kUpdate).Step(140).Size(320, 240))
+PICTURE(update_color_blind, Ask(V::kUpdate).Step(140).ColorBlind())
+PICTURE(match, Ask(V::kMatch).Step(140))
+PICTURE(match_tiny, Ask(V::kMatch).Step(140).Size(320, 240))
+PICTURE(match_color_blind, Ask(V::kMatch).Step(140).ColorBlind())
+PICTURE(search, Ask(V::kSearch))
+PICTURE(search_in_vain, Ask(V::kSearch).Node(84).Submap(11))
+PICTURE(search_refused, Ask(V::kSearch).Node(16).Submap(0))
+PICTURE(search_never_done, Ask(V::kSearch).Node(75).Submap(0))
+PICTURE(search_tiny, Ask(V::kSearch).Size(320, 240))
+PICTURE(graph, Ask(V::kGraph))
+PICTURE(graph_before_loops, Ask(V::kGraph).Step(120))
+PICTURE(graph_covariances, Ask(V::kGraph).Layers({L::kGrid, L::kRefused, L::kCovariances}))
+PICTURE(graph_tiny, Ask(V::kGraph).Size(320, 240))
+PICTURE(graph_color_blind, Ask(V::kGraph).ColorBlind())
+
+TEST(PicturesTest, AreTheSameByEgl) {
+  ExpectView("update", Ask(V::kUpdate).Step(140), Backend::kEgl);
+}
+
+TEST(PicturesTest, AreTheSameEachTime) {
+  Painter painter(Backend::kOsmesa);
+  const Picture first = painter.Draw(SmallLoop(), Ask(V::kSearch));
+  painter.Draw(SmallLoop(), Ask(V::kGraph).Size(500, 400));
+  EXPECT_EQ(painter.Draw(SmallLoop(), Ask(V::kSearch)), first);
+}
+
+}  // namespace
+}  // namespace loopscope
