@@ -46,6 +46,8 @@ class AnnotationPen {
   TextStyle FaintInk() const { return TextStyleOf(size_, palette_.faint_ink); }
 
  private:
+  void DrawTicks(const std::vector<ColorBar::Tick>& ticks, const Box& colors, const Box& labels);
+
   const SheetSize& size_;
   const Palette& palette_;
   Shapes fills_;
@@ -105,16 +107,20 @@ void AnnotationPen::DrawColorBar(const ColorBar& bar, Box box) {
                       bar.colors.At((i + 0.5) / kSteps));
   }
   thin_.AddOutline(Corners(colors), palette_.rule);
-  const Box ticks = CutTop(1.4 * size_.font, &box);
-  double free_from = ticks.left;  // a label that would touch the one before it is left out
-  for (const ColorBar::Tick& tick : bar.ticks) {
+  DrawTicks(bar.ticks, colors, CutTop(1.4 * size_.font, &box));
+}
+
+void AnnotationPen::DrawTicks(const std::vector<ColorBar::Tick>& ticks, const Box& colors,
+                              const Box& labels) {
+  double free_from = labels.left;  // a label that would touch the one before it is left out
+  for (const ColorBar::Tick& tick : ticks) {
     const double width = TextWidth(tick.label, FaintInk());
     const double x = colors.left + tick.place * colors.width;
-    const double left = std::clamp(x - 0.5 * width, ticks.left, ticks.right() - width);
-    if (left < free_from) continue;
+    const double left = std::max(labels.left, std::min(x - 0.5 * width, labels.right() - width));
+    if (left < free_from || left + width > labels.right()) continue;
     free_from = left + width + 0.5 * size_.font;
     thin_.AddLine({x, colors.bottom}, {x, colors.bottom - 0.25 * size_.font}, palette_.faint_ink);
-    Write(tick.label, FaintInk(), Align::kLeft, left, ticks.center_y() - 0.1 * size_.font);
+    Write(tick.label, FaintInk(), Align::kLeft, left, labels.center_y() - 0.1 * size_.font);
   }
 }
 
@@ -170,7 +176,7 @@ Props DrawPanelEdge(const PanelBoxes& boxes, const FlatCamera* camera,
   pen.DrawOutline(Shrunk(boxes.frame, -0.5 * widths::kThin * size.unit));
   Box text = boxes.footer;
   const bool own_row = text.height > 2.0 * size.font;
-  Box bar = own_row ? CutTop(0.5 * text.height, &text) : text;
+  const Box bar = own_row ? CutTop(0.5 * text.height, &text) : text;
   const double bar_width = camera ? pen.DrawScaleBar(*camera, bar) + size.font : 0.0;
   if (!own_row) CutLeft(bar_width, &text);
   pen.Write(JoinToFit(caption, pen.FaintInk(), text.width), pen.FaintInk(), Align::kLeft, text.left,

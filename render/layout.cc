@@ -18,7 +18,6 @@ constexpr double kSectionGap = 0.8;
 constexpr double kMinColorBarWidth = 11.0;
 
 constexpr double kMaxColumnShare = 0.36;  // of the width of the picture
-constexpr double kMainPanelShare = 0.62;  // of what all panels have
 
 double WidestRow(const SheetSize& size, const Annotation& annotation) {
   const TextStyle style = TextStyleOf(size, {});

@@ -1,7 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <exception>
+#include <iostream>
+#include <stdexcept>
+#include <string>
 
 #include <CLI/CLI.hpp>
 
@@ -19,9 +25,20 @@ const char kDescription[] =
 const char kFooter[] =
     "Exit codes: 0 fine, 1 the answer is \"no\" or a comparison failed, 2 bad usage or bad input.";
 
+/// Throws if what was printed did not go where it should.
+void FlushOutput() {
+  errno = 0;
+  std::cout.flush();
+  if (std::fflush(stdout) == 0 && std::cout) return;
+  throw std::runtime_error(std::string("standard output: cannot be written: ") +
+                           std::strerror(errno));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A file that grows too large shall fail to be written, and be told of, like any other.
+  std::signal(SIGXFSZ, SIG_IGN);
   CLI::App app(kDescription, "loopscope");
   app.footer(kFooter);
   app.require_subcommand(1);
@@ -35,9 +52,11 @@ int main(int argc, char** argv) {
   loopscope::AddEvaluateCommand(&app, &exit_code);
   loopscope::AddExportCommand(&app, &exit_code);
   loopscope::AddSimulateCommand(&app, &exit_code);
+  loopscope::AddOptionsCommand(&app, &exit_code);
   loopscope::AddDemoCommand(&app, &exit_code);
   try {
     app.parse(argc, argv);
+    FlushOutput();
     return exit_code;
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);

@@ -106,8 +106,7 @@ void PrintSearch(const SearchReplay& search) {
              result.min_score, result.score_bound);
   fmt::print("found at  {}\n", ToText(result.submap_from_node_searched));
   if (search.trace.winner >= 0) fmt::print("refined   {}\n", ToText(result.submap_from_node));
-  fmt::print("verdict   {}\n",
-             ToString(search.recorded ? search.candidate.verdict : result.verdict));
+  if (search.recorded) fmt::print("verdict   {}\n", ToString(search.candidate.verdict));
   PrintTree(search.trace);
 }
 

@@ -124,7 +124,7 @@ LoopExplanation ExplainLoop(const Recording& recording, SubmapId submap, NodeId 
           FinishedCheck(record),
           "Not closed: the submap was never finished, and only finished ones are searched.") ||
       !list.Add(OutsideCheck(record, node),
-                "No loop: the node was inserted into the submap itself (INTRA_SUBMAP).")) {
+                "Not closed: the node was inserted into the submap itself (INTRA_SUBMAP).")) {
     return list.explanation();
   }
   const LoopGate gate = GateOfPair(recording, submap, node);

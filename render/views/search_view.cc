@@ -73,10 +73,11 @@ std::vector<Fact> FactsOf(const SearchReplay& search) {
   std::vector<Fact> facts{{"verdict", VerdictText(verdict)},
                           {"best score", fmt::format("{:.3f}", result.score)},
                           {"no pose above", fmt::format("{:.3f}", result.score_bound)},
-                          {"min_score", fmt::format("{:.3f}", result.min_score)},
-                          {"rival score", fmt::format("{:.3f}", result.rival_score)},
-                          {"nodes that agree", fmt::format("{}", search.candidate.num_supporters)}};
-  if (result.rival_score <= 0.0) facts.erase(facts.begin() + 4);
+                          {"min_score", fmt::format("{:.3f}", result.min_score)}};
+  if (result.rival_score > 0.0) {
+    facts.push_back({"rival score", fmt::format("{:.3f}", result.rival_score)});
+  }
+  facts.push_back({"nodes that agree", fmt::format("{}", search.candidate.num_supporters)});
   for (const Fact& fact : MovesOf(search)) facts.push_back(fact);
   facts.push_back(
       {"window", fmt::format("±{:.2f} m, ±{:.0f}°", window.num_linear_steps * window.resolution,
@@ -90,8 +91,9 @@ std::vector<Fact> FactsOf(const SearchReplay& search) {
 ColorBar BoundBar(const BoundRange& range, double min_score, const Palette& palette) {
   ColorBar bar{"bound of the score", palette.bound, {{0.0, fmt::format("{:.2f}", range.low)}}};
   const double place = range.PlaceOf(min_score);
-  if (place > 0.0 && place < 1.0)
+  if (place > 0.0 && place < 1.0) {
     bar.ticks.push_back({place, fmt::format("{:.2f} min", min_score)});
+  }
   bar.ticks.push_back({1.0, fmt::format("{:.2f}", range.high)});
   return bar;
 }

@@ -77,21 +77,26 @@ void BM_MatchWithCeres(benchmark::State& state) {
 BENCHMARK(BM_MatchWithCeres)->Unit(benchmark::kMicrosecond);
 
 void BM_PrecomputeGrids(benchmark::State& state) {
-  const BranchAndBoundOptions options;
-  for (auto _ : state) BranchAndBoundMatcher(Match().grid, options);
+  const int depth = BranchAndBoundOptions().branch_and_bound_depth;
+  for (auto _ : state) BranchAndBoundMatcher(Match().grid, depth);
 }
 BENCHMARK(BM_PrecomputeGrids)->Unit(benchmark::kMillisecond);
 
 // A guess that is off by metres, as after a long loop.
 void BM_BranchAndBound(benchmark::State& state) {
-  const BranchAndBoundMatcher matcher(Match().grid, {});
+  const BranchAndBoundOptions options;
+  const BranchAndBoundMatcher matcher(Match().grid, options.branch_and_bound_depth);
   const Pose2 guess = Match().submap_from_base * Pose2(3.0, -2.0, DegreesToRadians(15.0));
-  for (auto _ : state) benchmark::DoNotOptimize(matcher.Search(Match().points, guess, 0.5));
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(matcher.Search(Match().points, guess, options.linear_search_window,
+                                            options.angular_search_window, 0.5));
+  }
 }
 BENCHMARK(BM_BranchAndBound)->Unit(benchmark::kMillisecond);
 
 void BM_BranchAndBoundWholeSubmap(benchmark::State& state) {
-  const BranchAndBoundMatcher matcher(Match().grid, {});
+  const BranchAndBoundOptions options;
+  const BranchAndBoundMatcher matcher(Match().grid, options.branch_and_bound_depth);
   for (auto _ : state) benchmark::DoNotOptimize(matcher.SearchWholeSubmap(Match().points, 0.5));
 }
 BENCHMARK(BM_BranchAndBoundWholeSubmap)->Unit(benchmark::kMillisecond);

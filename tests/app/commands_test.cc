@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <filesystem>
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/io/recording_file.h"
+#include "core/io/tum_file.h"
+#include "render/picture.h"
+#include "tests/support/office_excerpt.h"
+#include "tests/support/program.h"
+
+namespace loopscope {
+namespace {
+
+using testing::HasSubstr;
+
+/// Has a small run of the beginning of the bundled log, with several finished submaps.
+class CommandTest : public testing::Test {
+ protected:
+  CommandTest() {
+    folder_.Write("a.log", OfficeExcerpt(100));
+    const ProgramRun run =
+        Run("map a.log -o run.loopscope "
+            "--set TRAJECTORY_BUILDER_2D.submaps.num_range_data=10");
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+  }
+
+  ProgramRun Run(const std::string& arguments) { return RunLoopscope(folder_, arguments); }
+
+  /// Runs what must be refused with one line that has `expected` in it.
+  void ExpectRefused(const std::string& arguments, const std::string& expected) {
+    const ProgramRun run = Run(arguments);
+    EXPECT_EQ(run.exit_code, 2) << arguments;
+    EXPECT_EQ(run.err.find("loopscope: "), 0u) << run.err;
+    EXPECT_EQ(run.err.find('\n') + 1, run.err.size()) << run.err;
+    EXPECT_THAT(run.err, HasSubstr(expected)) << arguments;
+  }
+
+  bool Exists(const std::string& name) { return std::filesystem::exists(folder_.Path(name)); }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(CommandTest, InfoTellsOfLogs) {
+  const ProgramRun run = Run("info a.log");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("100 in 19.8 s"));
+  EXPECT_THAT(run.out, HasSubstr("361, 0.5 deg apart, from -90 deg to 90 deg"));
+}
+
+TEST_F(CommandTest, InfoTellsOfRecordings) {
+  const ProgramRun run = Run("info run.loopscope");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("100 of 100 scans, finished in "));
+  EXPECT_THAT(run.out, HasSubstr("loopscope, but for:"));
+  EXPECT_THAT(run.out, HasSubstr("TRAJECTORY_BUILDER_2D.submaps.num_range_data = 10"));
+  EXPECT_THAT(run.out, Not(HasSubstr("POSE_GRAPH.constraint_builder.min_score")));
+  EXPECT_THAT(Run("info run.loopscope --options").out,
+              HasSubstr("POSE_GRAPH.constraint_builder.min_score"));
+}
+
+TEST_F(CommandTest, InfoRefusesWhatIsNeither) {
+  folder_.Write("text.txt", "hello\n");
+  ExpectRefused("info text.txt", "text.txt: no scan; expected a CARMEN log");
+  ExpectRefused("info none", "none: cannot be opened: No such file");
+}
+
+TEST_F(CommandTest, RecordingsOfANewerSchemaOrCutOffAreRefusedByAll) {
+  std::filesystem::copy(folder_.Path("run.loopscope"), folder_.Path("newer.loopscope"));
+  SQLite::Database(folder_.Path("newer.loopscope"), SQLite::OPEN_READWRITE)
+      .exec("PRAGMA user_version = 99");
+  const std::string whole = ContentOf(folder_.Path("run.loopscope"));
+  folder_.Write("cut.loopscope", whole.substr(0, whole.size() / 2));
+  for (const std::string command :
+       {"info %", "render %", "search % --node 1 --submap 0", "why % --node 1 --submap 0",
+        "loops %", "evaluate % --reference a.tum", "export % --map m"}) {
+    for (const std::string file : {"newer.loopscope", "cut.loopscope"}) {
+      std::string arguments = command;
+      arguments.replace(arguments.find('%'), 1, file);
+      folder_.Write("a.tum", "0 0 0 0 0 0 0 1\n");
+      ExpectRefused(arguments, file + ": ");
+    }
+  }
+  ExpectRefused("info newer.loopscope", "schema 99, made by a newer Loopscope; expected at most 1");
+}
+
+TEST_F(CommandTest, RenderDrawsEveryViewWithoutADisplay) {
+  for (const std::string view : {"map", "submap", "update", "match", "search", "graph"}) {
+    const ProgramRun run =
+        Run("render run.loopscope --size 400x300 --view " + view +
+            (view == "search" ? " --node 50 --submap 0" : "") + " -o " + view + ".png");
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.out, view + ".png\n");
+    const Picture picture = ReadPng(folder_.Path(view + ".png"));
+    EXPECT_EQ(picture.width, 400);
+    EXPECT_EQ(picture.height, 300);
+  }
+}
+
+TEST_F(CommandTest, RenderShowsTheStateAfterAStepOrTime) {
+  const std::string render = "render run.loopscope --size 400x300 ";
+  ASSERT_EQ(Run(render + "-o step.png --step 25").exit_code, 0);
+  ASSERT_EQ(Run(render + "-o time.png --time 5.01").exit_code, 0);
+  ASSERT_EQ(Run(render + "-o stamp.png --time 1000000005.01").exit_code, 0);
+  ASSERT_EQ(Run(render + "-o other.png --step 26").exit_code, 0);
+  const Picture at_step = ReadPng(folder_.Path("step.png"));
+  EXPECT_TRUE(at_step == ReadPng(folder_.Path("time.png")));
+  EXPECT_TRUE(at_step == ReadPng(folder_.Path("stamp.png")));
+  EXPECT_FALSE(at_step == ReadPng(folder_.Path("other.png")));
+}
+
+TEST_F(CommandTest, RenderNamesThePictureAfterRunAndView) {
+  const ProgramRun run = Run("render run.loopscope --view graph --size 320x240");
+  EXPECT_EQ(run.out, "run.graph.png\n");
+  EXPECT_TRUE(Exists("run.graph.png"));
+}
+
+TEST_F(CommandTest, RenderRefusesWhatTheRecordingDoesNotHave) {
+  const std::string render = "render run.loopscope ";
+  ExpectRefused(render + "--view nonsense", "map, submap, update, match, search");
+  ExpectRefused(render + "--step 100", "expected 0 to 99");
+  ExpectRefused(render + "--step -1", "expected 0 to 99");
+  ExpectRefused(render + "--time 20", "no scan at --time 20; expected 0 to 19.8");
+  ExpectRefused(render + "--view submap --submap 99", "there is no submap 99");
+  ExpectRefused(render + "--view match --node 9999", "there is no node 9999");
+  ExpectRefused(render + "--layers nonsense", "nonsense");
+  ExpectRefused(render + "--backend nonsense", "nonsense");
+  ExpectRefused(render + "--theme nonsense", "nonsense");
+  for (const std::string size : {"1", "1x1", "x", "axb", "400x300x", "99999x300"}) {
+    ExpectRefused(render + "--size " + size, "--size " + size + ": expected width and height");
+  }
+  ExpectRefused(render + "--size 320x240 -o none/a.png", "none/a.png: cannot be written");
+}
+
+TEST_F(CommandTest, SearchPrintsNumbersAndTreeAndDraws) {
+  const ProgramRun run =
+      Run("search run.loopscope --node 50 --submap 0 --min-score 0.1 -o s.png --size 400x300");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("node (0, 50), submap (0, 0)"));
+  EXPECT_THAT(run.out, HasSubstr("way to the winner:"));
+  EXPECT_EQ(ReadPng(folder_.Path("s.png")).width, 400);
+}
+
+TEST_F(CommandTest, SearchThatFindsNothingExitsWithOne) {
+  EXPECT_EQ(Run("search run.loopscope --node 50 --submap 0 --min-score 0.95").exit_code, 1);
+}
+
+TEST_F(CommandTest, SearchPrintsTheWholeTreeAsJson) {
+  const auto json = nlohmann::json::parse(
+      Run("search run.loopscope --node 50 --submap 0 --min-score 0.1 --json").out);
+  const auto& nodes = json.at("nodes");
+  const int winner = json.at("winner");
+  ASSERT_GE(winner, 0);
+  EXPECT_EQ(nodes.at(winner).at("height"), 0);
+  EXPECT_EQ(nodes.at(winner).at("bound"), json.at("score"));
+}
+
+TEST_F(CommandTest, SearchRefusesPairsThatCannotBeSearched) {
+  ExpectRefused("search run.loopscope --node 50 --submap 99", "there is no submap 99");
+  ExpectRefused("search run.loopscope --node 9999 --submap 0", "there is no node 9999");
+  ExpectRefused("search run.loopscope --node 1 --submap 0", "expected a finished submap");
+}
+
+TEST_F(CommandTest, WhyAnswersWithItsExitCode) {
+  const ProgramRun far_away = Run("why run.loopscope --node 50 --submap 0");
+  EXPECT_EQ(far_away.exit_code, 1);
+  EXPECT_THAT(far_away.out, HasSubstr("Not closed: too far apart"));
+  const auto& candidates = ReadRecording(folder_.Path("run.loopscope")).candidates();
+  const auto closed = std::find_if(candidates.begin(), candidates.end(), [](const auto& candidate) {
+    return candidate.verdict == Verdict::kAccepted;
+  });
+  ASSERT_NE(closed, candidates.end());
+  EXPECT_EQ(Run("why run.loopscope --node " + std::to_string(closed->node.index) + " --submap " +
+                std::to_string(closed->submap.index))
+                .exit_code,
+            0);
+  ExpectRefused("why run.loopscope --node 9999 --submap 0", "there is no node 9999");
+}
+
+TEST_F(CommandTest, LoopsListsTheSamePairsInEveryFormat) {
+  const std::size_t num_candidates =
+      ReadRecording(folder_.Path("run.loopscope")).candidates().size();
+  ASSERT_GT(num_candidates, 0u);
+  const auto num_lines = [](const std::string& text) {
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  };
+  EXPECT_EQ(num_lines(Run("loops run.loopscope").out), num_candidates + 1);
+  EXPECT_EQ(num_lines(Run("loops run.loopscope --csv").out), num_candidates + 1);
+  EXPECT_EQ(nlohmann::json::parse(Run("loops run.loopscope --json").out).size(), num_candidates);
+}
+
+TEST_F(CommandTest, EvaluateMeasuresAgainstRelationsAndReference) {
+  const std::string truth = LOOPSCOPE_SOURCE_DIR "/datasets/office";
+  const ProgramRun run = Run("evaluate run.loopscope " + truth + ".tum --json --reference " +
+                             truth + ".tum --max-error 0.1");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  ASSERT_EQ(json.size(), 2u);
+  EXPECT_GT(json[0].at("ate_rmse_m"), 1e-6);
+  EXPECT_LT(json[0].at("ate_rmse_m"), 0.05);
+  EXPECT_LT(json[1].at("ate_rmse_m"), 1e-9);
+  EXPECT_EQ(Run("evaluate run.loopscope --max-error 1e-6 --reference " + truth + ".tum").exit_code,
+            1);
+  EXPECT_THAT(Run("evaluate " + truth + ".tum --relations " + truth + ".relations --csv").out,
+              HasSubstr("run,relations,translation_mean_m"));
+}
+
+TEST_F(CommandTest, EvaluateRefusesWhatItCannotCompare) {
+  ExpectRefused("evaluate run.loopscope", "expected --relations or --reference");
+  ExpectRefused("evaluate run.loopscope --reference none.tum", "none.tum: cannot be opened");
+  folder_.Write("other.tum", "5 0 0 0 0 0 0 1\n6 0 0 0 0 0 0 1\n");
+  ExpectRefused("evaluate run.loopscope --reference other.tum", "nothing in common");
+  ExpectRefused("evaluate a.log --reference other.tum", "a.log:");
+}
+
+TEST_F(CommandTest, ExportWritesMapTrajectoryAndGraph) {
+  const ProgramRun run =
+      Run("export run.loopscope --map map --trajectory nodes.tum --graph graph.g2o");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out, "map.pgm\nmap.yaml\nnodes.tum\ngraph.g2o\n");
+  const Recording recording = ReadRecording(folder_.Path("run.loopscope"));
+  EXPECT_EQ(ReadTum(folder_.Path("nodes.tum")).size(), recording.nodes().size());
+  EXPECT_THAT(ContentOf(folder_.Path("graph.g2o")), HasSubstr("EDGE_SE2"));
+  ASSERT_EQ(Run("export run.loopscope --trajectory dense.tum --dense").exit_code, 0);
+  EXPECT_EQ(ReadTum(folder_.Path("dense.tum")).size(), recording.log().odometry.size());
+  ASSERT_EQ(Run("export run.loopscope --map raw.pgm --raw --step 50").exit_code, 0);
+  EXPECT_THAT(ContentOf(folder_.Path("raw.yaml")), HasSubstr("mode: scale"));
+}
+
+TEST_F(CommandTest, ExportRefusesWhatItCannotDo) {
+  ExpectRefused("export run.loopscope", "nothing to export");
+  ExpectRefused("export run.loopscope --dense --map m", "--trajectory");
+  ExpectRefused("export run.loopscope --map none/m", "none/m.pgm: cannot be written");
+  ExpectRefused("export run.loopscope --graph /dev/full", "/dev/full: cannot be written");
+  ExpectRefused("export run.loopscope --map m --step 100", "expected 0 to 99");
+  ExpectRefused("export a.log --map m", "a.log: not a Loopscope recording");
+  EXPECT_FALSE(Exists("m.pgm"));
+}
+
+}  // namespace
+}  // namespace loopscope
