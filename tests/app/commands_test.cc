@@ -170,7 +170,8 @@ TEST_F(CommandTest, WhyAnswersWithItsExitCode) {
   const ProgramRun far_away = Run("why run.loopscope --node 50 --submap 0");
   EXPECT_EQ(far_away.exit_code, 1);
   EXPECT_THAT(far_away.out, HasSubstr("Not closed: too far apart"));
-  const auto& candidates = ReadRecording(folder_.Path("run.loopscope")).candidates();
+  const Recording recording = ReadRecording(folder_.Path("run.loopscope"));
+  const auto& candidates = recording.candidates();
   const auto closed = std::find_if(candidates.begin(), candidates.end(), [](const auto& candidate) {
     return candidate.verdict == Verdict::kAccepted;
   });
