@@ -15,16 +15,6 @@ void SetBackground(const Color& color, vtkRenderer* renderer) {
   renderer->SetBackground(color.r / 255.0, color.g / 255.0, color.b / 255.0);
 }
 
-void LookDown(const FlatCamera& flat, double height, vtkRenderer* renderer) {
-  vtkCamera* const camera = renderer->GetActiveCamera();
-  camera->ParallelProjectionOn();
-  camera->SetPosition(flat.center.x(), flat.center.y(), 1.0);
-  camera->SetFocalPoint(flat.center.x(), flat.center.y(), 0.0);
-  camera->SetViewUp(0.0, 1.0, 0.0);
-  camera->SetParallelScale(0.5 * height * flat.meters_per_pixel);
-  camera->SetClippingRange(0.1, 2.0);
-}
-
 vtkSmartPointer<vtkRenderer> PanelRenderer(const Panel& panel, const Scene& scene) {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   renderer->SetViewport(panel.frame.left / scene.width, panel.frame.bottom / scene.height,
@@ -54,6 +44,16 @@ FlatCamera CameraFor(const Extent& extent, const Box& frame) {
   camera.center = extent.center();
   camera.meters_per_pixel = kMargin * std::max(size.x() / frame.width, size.y() / frame.height);
   return camera;
+}
+
+void LookDown(const FlatCamera& flat, double height, vtkRenderer* renderer) {
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetPosition(flat.center.x(), flat.center.y(), 1.0);
+  camera->SetFocalPoint(flat.center.x(), flat.center.y(), 0.0);
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  camera->SetParallelScale(0.5 * height * flat.meters_per_pixel);
+  camera->SetClippingRange(0.1, 2.0);
 }
 
 void FillRenderer(const Panel& panel, vtkRenderer* renderer) {

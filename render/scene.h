@@ -51,6 +51,9 @@ struct Scene {
   std::vector<Panel> panels;
 };
 
+/// Makes `renderer` show what the camera sees in a panel of `height` pixels.
+void LookDown(const FlatCamera& camera, double height, vtkRenderer* renderer);
+
 /// Fills `renderer` with a panel, its camera included.
 void FillRenderer(const Panel& panel, vtkRenderer* renderer);
 

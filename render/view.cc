@@ -3,6 +3,7 @@
 #include "render/view.h"
 
 #include <stdexcept>
+#include <tuple>
 
 #include "render/views/views.h"
 
@@ -29,6 +30,14 @@ void RequireCamera(const ViewRequest& request) {
 }
 
 }  // namespace
+
+bool operator==(const ViewRequest& a, const ViewRequest& b) {
+  const auto fields = [](const ViewRequest& r) {
+    return std::tie(r.view, r.step, r.node, r.submap, r.width, r.height, r.theme, r.title, r.layers,
+                    r.center, r.width_in_meters);
+  };
+  return fields(a) == fields(b);
+}
 
 Scene BuildScene(const Recording& recording, const ViewRequest& request, int oversampling) {
   GridCache cache(recording);

@@ -31,6 +31,8 @@ struct ViewRequest {
   std::optional<double> width_in_meters;      ///< of the main panel
 };
 
+bool operator==(const ViewRequest& a, const ViewRequest& b);
+
 /// The picture of a view: a pure function of its arguments. The frame is the map's for map and
 /// graph, and that of the submap shown for the others. Throws std::invalid_argument that says what
 /// was expected if the recording does not have what is asked for.

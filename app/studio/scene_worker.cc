@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/studio/scene_worker.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "render/grid_cache.h"
+
+namespace loopscope {
+
+struct SceneWorker::Workplace {
+  std::unique_ptr<Recording> recording;
+  std::unique_ptr<GridCache> cache;  // of `recording`
+  bool has_prefetched = false;
+};
+
+SceneWorker::SceneWorker() : thread_([this] { Run(); }) {}
+
+SceneWorker::~SceneWorker() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stopping_ = true;
+  }
+  wake_.notify_all();
+  thread_.join();
+}
+
+void SceneWorker::Load(const Recording& recording) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    loaded_ = std::make_unique<Recording>(recording);
+    ++run_;
+    updates_.clear();
+    jobs_.clear();
+    drawn_.clear();
+  }
+  wake_.notify_all();
+}
+
+void SceneWorker::Append(const SlamUpdate& update) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  updates_.push_back(update);
+}
+
+void SceneWorker::Ask(int tile, const ViewRequest& request, int device_pixels) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    jobs_[tile] = {request, device_pixels};
+  }
+  wake_.notify_all();
+}
+
+std::optional<DrawnScene> SceneWorker::Take(int tile) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = drawn_.find(tile);
+  if (found == drawn_.end()) return std::nullopt;
+  DrawnScene scene = std::move(found->second);
+  drawn_.erase(found);
+  return scene;
+}
+
+bool SceneWorker::IsIdle() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return jobs_.empty() && !is_drawing_ && drawn_.empty();
+}
+
+void SceneWorker::Run() {
+  Workplace place;
+  while (WorkOnce(&place)) {
+  }
+}
+
+/// Takes what came in; draws one tile, or prepares one grid if there is nothing to draw. False if
+/// the worker is to stop.
+bool SceneWorker::WorkOnce(Workplace* place) {
+  std::optional<std::pair<int, Job>> job;
+  int run = 0;
+  {
+    std::unique_lock<std::mutex> lock(mutex_);
+    wake_.wait(lock, [&] {
+      return stopping_ || loaded_ || !jobs_.empty() || (place->cache && !place->has_prefetched);
+    });
+    if (stopping_) return false;
+    if (loaded_) {
+      place->recording = std::move(loaded_);
+      place->cache = std::make_unique<GridCache>(*place->recording);
+    }
+    for (SlamUpdate& update : updates_) place->recording->Append(std::move(update));
+    if (!updates_.empty() || !jobs_.empty()) place->has_prefetched = false;
+    updates_.clear();
+    if (!jobs_.empty() && place->recording) {
+      job = *jobs_.begin();
+      jobs_.erase(jobs_.begin());
+      is_drawing_ = true;
+    }
+    run = run_;
+  }
+  if (job) {
+    Draw(job->first, job->second, run, place);
+  } else if (place->cache) {
+    place->has_prefetched = !place->cache->Prefetch();
+  }
+  return true;
+}
+
+void SceneWorker::Draw(int tile, const Job& job, int run, Workplace* place) {
+  DrawnScene drawn{job.request, std::nullopt, ""};
+  try {
+    drawn.scene = BuildScene(place->cache.get(), job.request, job.device_pixels);
+  } catch (const std::invalid_argument& error) {
+    drawn.error = error.what();
+  }
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    is_drawing_ = false;
+    if (run != run_) return;
+    drawn_[tile] = std::move(drawn);
+  }
+  emit Drawn(tile);
+}
+
+}  // namespace loopscope
