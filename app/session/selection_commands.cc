@@ -111,6 +111,14 @@ std::vector<Command> SelectionCommands() {
                          state->node = NodeArgument(session, pair[0]);
                          state->submap = SubmapArgument(session, pair[1]);
                        }),
+      SelectionCommand("select.loop", "Select the pair of a loop candidate", {}, "INDEX",
+                       [](const Session& session, const std::string& text, SessionState* state) {
+                         const auto& candidates = session.recording().candidates();
+                         const int index = Existing("loop", IntArgument("select.loop", text),
+                                                    candidates.size());
+                         state->node = candidates[index].node;
+                         state->submap = candidates[index].submap;
+                       }),
       SelectionCommand("go.node", "Go to node", {}, "N", GoToNode),
       SelectionCommand("go.submap", "Go to submap", {}, "M", GoToSubmap),
       SelectionCommand("go.loop", "Go to loop candidate", {}, "INDEX", GoToLoop),

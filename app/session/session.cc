@@ -113,6 +113,17 @@ void Session::SelectForStep(ViewRequest* request) const {
   }
 }
 
+std::optional<int> Session::SelectedCandidate() const {
+  if (!has_recording() || !state_.node || !state_.submap) return std::nullopt;
+  const auto& candidates = recording_->candidates();
+  const auto found =
+      std::find_if(candidates.begin(), candidates.end(), [&](const LoopCandidate& candidate) {
+        return candidate.node == *state_.node && candidate.submap == *state_.submap;
+      });
+  if (found == candidates.end()) return std::nullopt;
+  return static_cast<int>(found - candidates.begin());
+}
+
 void Session::Play(bool playing) {
   playing_ = playing && state_.step < last_step();
   unplayed_scans_ = 0.0;

@@ -46,6 +46,9 @@ class Session {
   /// The picture of a tile, but for its size.
   ViewRequest RequestOf(int tile) const;
 
+  /// The candidate of the selected pair; nothing if no pair is selected, or it never came up.
+  std::optional<int> SelectedCandidate() const;
+
   // Playing.
   bool playing() const { return playing_; }
   double scans_per_second() const { return scans_per_second_; }

@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include <QApplication>
+#include <QClipboard>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
@@ -20,8 +22,14 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include "app/session/render_command_line.h"
 #include "app/studio/bars.h"
+#include "app/studio/export_dialog.h"
+#include "app/studio/inspector_panel.h"
 #include "app/studio/layers_panel.h"
+#include "app/studio/options_dialog.h"
+#include "app/studio/palette_dialog.h"
+#include "app/studio/table_panel.h"
 #include "app/studio/theme.h"
 #include "app/studio/timeline_widget.h"
 
@@ -52,6 +60,8 @@ MainWindow::MainWindow() {
   connect(&worker_, &SceneWorker::Drawn, this, [this](int tile) { tiles_[tile]->TakeScene(); });
   connect(&play_timer_, &QTimer::timeout, this, &MainWindow::Tick);
   play_timer_.setInterval(kTickMilliseconds);
+  connect(&export_, QOverload<int, QProcess::ExitStatus>::of(&QProcess::finished), this,
+          &MainWindow::EndExport);
   ConnectOpener();
   Restore();
   Refresh();
@@ -150,7 +160,29 @@ QDockWidget* MainWindow::AddDock(const char* title, QWidget* content, Qt::DockWi
 void MainWindow::MakeDocks() {
   setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   layers_ = new LayersPanel(RunIn(this), this);
-  AddDock("Layers", layers_, Qt::RightDockWidgetArea);
+  inspector_ = new InspectorPanel(&worker_, this);
+  QDockWidget* const inspector = AddDock("Inspector", inspector_, Qt::RightDockWidgetArea);
+  QDockWidget* const layers = AddDock("Layers", layers_, Qt::RightDockWidgetArea);
+  tabifyDockWidget(inspector, layers);
+  QDockWidget* first = nullptr;
+  for (const auto& [kind, title] : {std::pair(TableKind::kLoops, "Loops"),
+                                    std::pair(TableKind::kSubmaps, "Submaps"),
+                                    std::pair(TableKind::kNodes, "Nodes")}) {
+    tables_.push_back(new TablePanel(kind, RunIn(this), this));
+    QDockWidget* const dock = AddDock(title, tables_.back(), Qt::BottomDockWidgetArea);
+    connect(dock, &QDockWidget::visibilityChanged, this, [this] { Refresh(); });
+    connect(tables_.back(), &TablePanel::SelectionActivated, inspector, &QWidget::raise);
+    if (first != nullptr) tabifyDockWidget(first, dock);
+    if (first == nullptr) first = dock;
+  }
+  first->raise();
+  inspector->raise();
+  for (QDockWidget* const dock : {inspector, layers}) {
+    connect(dock, &QDockWidget::visibilityChanged, this, [this] { Refresh(); });
+  }
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  resizeDocks({inspector}, {330}, Qt::Horizontal);
+  resizeDocks({first}, {210}, Qt::Vertical);
 }
 
 void MainWindow::ConnectOpener() {
@@ -161,6 +193,8 @@ void MainWindow::ConnectOpener() {
             worker_.Load(*recording);
             session_.Load(path, *recording);
             for (Tile* const tile : tiles_) tile->Forget();
+            for (TablePanel* const table : tables_) table->Forget();
+            inspector_->Forget();
             message_bar_->Tell("");
             setWindowTitle(QString::fromStdString(recording->log().name + " – " + path) +
                            " – Loopscope");
@@ -194,7 +228,8 @@ void MainWindow::Run(const std::string& line) {
 }
 
 bool MainWindow::IsIdle() const {
-  return !opener_.IsReading() && !opener_.IsMapping() && worker_.IsIdle();
+  return !opener_.IsReading() && !opener_.IsMapping() && worker_.IsIdle() &&
+         export_.state() == QProcess::NotRunning;
 }
 
 /// Shows the session as it is now in every part of the window.
@@ -209,6 +244,8 @@ void MainWindow::Refresh() {
   timeline_->Show(session_);
   play_bar_->Show(session_);
   layers_->Show(session_);
+  inspector_->Show(session_);
+  for (TablePanel* const table : tables_) table->Show(session_);
   if (session_.playing() && !play_timer_.isActive()) {
     since_tick_.start();
     play_timer_.start();
@@ -250,17 +287,64 @@ void MainWindow::Open(const std::string& path) {
 
 void MainWindow::OpenDemo() { opener_.Open(LOOPSCOPE_DEMO_LOG, LoopscopePreset()); }
 
-void MainWindow::MapAgain() {}
+void MainWindow::MapAgain() {
+  OptionsDialog dialog(session_.recording().options(), this);
+  if (dialog.exec() != QDialog::Accepted) return;
+  opener_.Map(session_.recording().log(), dialog.options(), session_.path());
+}
 
 void MainWindow::StopMapping() { opener_.StopMapping(); }
 
-void MainWindow::Export(const std::string&) {}
+void MainWindow::Export(const std::string& path) {
+  const ViewRequest request = *tiles_[session_.state().active_tile]->asked();
+  if (!path.empty()) {
+    StartExport(request, QString::fromStdString(path));
+    return;
+  }
+  ExportDialog dialog(request, session_.path(), this);
+  if (dialog.exec() == QDialog::Accepted) StartExport(dialog.request(), dialog.path());
+}
 
-void MainWindow::CopyCommandLine() {}
+/// Runs the very command that the window tells: what is exported is what it draws.
+void MainWindow::StartExport(const ViewRequest& request, const QString& path) {
+  if (export_.state() != QProcess::NotRunning) {
+    message_bar_->Tell("The picture before is still being drawn.");
+    return;
+  }
+  QStringList arguments;
+  for (const std::string& argument :
+       RenderArguments(request, session_.path(), path.toStdString())) {
+    arguments.append(QString::fromStdString(argument));
+  }
+  pointer_->setText("Drawing " + path + " …");
+  export_.start(QApplication::applicationDirPath() + "/loopscope", arguments);
+}
 
-void MainWindow::ShowKeys() {}
+void MainWindow::EndExport(int exit_code) {
+  const QString error = QString::fromUtf8(export_.readAllStandardError()).trimmed();
+  pointer_->setText(QString::fromUtf8(export_.readAllStandardOutput()).trimmed());
+  if (exit_code != 0) message_bar_->Tell(error);
+}
 
-void MainWindow::ShowPalette() {}
+void MainWindow::CopyCommandLine() {
+  const ViewRequest request = *tiles_[session_.state().active_tile]->asked();
+  const std::string line =
+      RenderCommandLine(request, session_.path(), ToString(request.view) + ".png");
+  QApplication::clipboard()->setText(QString::fromStdString(line));
+  pointer_->setText(QString::fromStdString("Copied: " + line));
+}
+
+void MainWindow::ShowKeys() { KeysDialog(this).exec(); }
+
+void MainWindow::ShowPalette() {
+  auto* const dialog = new PaletteDialog(session_, RunIn(this), this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->show();
+}
+
+std::string MainWindow::message() const {
+  return message_bar_->isHidden() ? "" : message_bar_->text().toStdString();
+}
 
 void MainWindow::SetWindowTheme(const std::string& name) {
   const QString theme = QString::fromStdString(name);

@@ -8,6 +8,7 @@
 
 #include <QElapsedTimer>
 #include <QMainWindow>
+#include <QProcess>
 #include <QTimer>
 
 #include "app/session/commands.h"
@@ -24,10 +25,12 @@ class QStackedWidget;
 
 namespace loopscope {
 
+class InspectorPanel;
 class LayersPanel;
 class MappingBar;
 class MessageBar;
 class PlayBar;
+class TablePanel;
 class TimelineWidget;
 
 /// The window: shows a session, and runs commands on it.
@@ -45,6 +48,9 @@ class MainWindow : public QMainWindow, public SessionHost {
 
   /// Whether nothing is being read, mapped or drawn.
   bool IsIdle() const;
+
+  /// What the message bar says; empty if it is closed.
+  std::string message() const;
 
   // SessionHost.
   void Open(const std::string& path) override;
@@ -75,6 +81,8 @@ class MainWindow : public QMainWindow, public SessionHost {
   void Refresh();
   void ArrangeTiles();
   void Tick();
+  void StartExport(const ViewRequest& request, const QString& path);
+  void EndExport(int exit_code);
   void Remember(const std::string& path);
   void FillRecent();
 
@@ -91,8 +99,11 @@ class MainWindow : public QMainWindow, public SessionHost {
   MessageBar* message_bar_ = nullptr;
   MappingBar* mapping_bar_ = nullptr;
   LayersPanel* layers_ = nullptr;
+  InspectorPanel* inspector_ = nullptr;
+  std::vector<TablePanel*> tables_;
   QLabel* pointer_ = nullptr;
   QMenu* recent_ = nullptr;
+  QProcess export_;
   QTimer play_timer_;
   QElapsedTimer since_tick_;
 };

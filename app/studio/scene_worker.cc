@@ -9,6 +9,10 @@
 
 namespace loopscope {
 
+bool operator==(const ReportSubject& a, const ReportSubject& b) {
+  return a.step == b.step && a.node == b.node && a.submap == b.submap;
+}
+
 struct SceneWorker::Workplace {
   std::unique_ptr<Recording> recording;
   std::unique_ptr<GridCache> cache;  // of `recording`
@@ -34,6 +38,8 @@ void SceneWorker::Load(const Recording& recording) {
     updates_.clear();
     jobs_.clear();
     drawn_.clear();
+    report_job_.reset();
+    report_.reset();
   }
   wake_.notify_all();
 }
@@ -62,7 +68,20 @@ std::optional<DrawnScene> SceneWorker::Take(int tile) {
 
 bool SceneWorker::IsIdle() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return jobs_.empty() && !is_drawing_ && drawn_.empty();
+  return jobs_.empty() && !report_job_ && !is_drawing_ && drawn_.empty() && !report_;
+}
+
+void SceneWorker::AskReport(const ReportSubject& subject) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    report_job_ = subject;
+  }
+  wake_.notify_all();
+}
+
+std::optional<InspectionReport> SceneWorker::TakeReport() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return std::exchange(report_, std::nullopt);
 }
 
 void SceneWorker::Run() {
@@ -71,15 +90,17 @@ void SceneWorker::Run() {
   }
 }
 
-/// Takes what came in; draws one tile, or prepares one grid if there is nothing to draw. False if
-/// the worker is to stop.
+/// Takes what came in; draws one tile, else makes a report, else prepares one grid. False if the
+/// worker is to stop.
 bool SceneWorker::WorkOnce(Workplace* place) {
   std::optional<std::pair<int, Job>> job;
+  std::optional<ReportSubject> report;
   int run = 0;
   {
     std::unique_lock<std::mutex> lock(mutex_);
     wake_.wait(lock, [&] {
-      return stopping_ || loaded_ || !jobs_.empty() || (place->cache && !place->has_prefetched);
+      return stopping_ || loaded_ || !jobs_.empty() || report_job_ ||
+             (place->cache && !place->has_prefetched);
     });
     if (stopping_) return false;
     if (loaded_) {
@@ -89,15 +110,19 @@ bool SceneWorker::WorkOnce(Workplace* place) {
     for (SlamUpdate& update : updates_) place->recording->Append(std::move(update));
     if (!updates_.empty() || !jobs_.empty()) place->has_prefetched = false;
     updates_.clear();
-    if (!jobs_.empty() && place->recording) {
+    if (!jobs_.empty()) {
       job = *jobs_.begin();
       jobs_.erase(jobs_.begin());
-      is_drawing_ = true;
+    } else {
+      report = std::exchange(report_job_, std::nullopt);
     }
+    is_drawing_ = job || report;
     run = run_;
   }
   if (job) {
     Draw(job->first, job->second, run, place);
+  } else if (report) {
+    Report(*report, run, *place->recording);
   } else if (place->cache) {
     place->has_prefetched = !place->cache->Prefetch();
   }
@@ -118,6 +143,41 @@ void SceneWorker::Draw(int tile, const Job& job, int run, Workplace* place) {
     drawn_[tile] = std::move(drawn);
   }
   emit Drawn(tile);
+}
+
+void SceneWorker::Report(const ReportSubject& subject, int run, const Recording& recording) {
+  const MapState state = StateAfterStep(recording, subject.step);
+  InspectionReport report;
+  const bool has_node = subject.node && subject.node->index < state.num_nodes;
+  const bool has_submap = subject.submap && subject.submap->index < state.num_submaps;
+  if (has_node && has_submap) {
+    report = ReportOnPair(recording, state, *subject.submap, *subject.node);
+  } else if (has_node) {
+    report = ReportOnNode(recording, state, *subject.node);
+  } else if (has_submap) {
+    report = ReportOnSubmap(recording, state, *subject.submap);
+  }
+  for (Section& section : ReportOnStep(recording, state)) report.push_back(std::move(section));
+  if (Publish(run, report) && (has_node || has_submap)) {
+    report.push_back(has_node ? ReportOnCovariance(recording, state, *subject.node)
+                              : ReportOnCovariance(recording, state, *subject.submap));
+    Publish(run, report);
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  is_drawing_ = false;
+}
+
+/// False if something else is more urgent now.
+bool SceneWorker::Publish(int run, const InspectionReport& report) {
+  bool is_newest = false;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (run != run_) return false;
+    is_newest = !report_job_ && jobs_.empty();
+    report_ = report;
+  }
+  emit Reported();
+  return is_newest;
 }
 
 }  // namespace loopscope

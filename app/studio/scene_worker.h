@@ -13,6 +13,7 @@
 
 #include <QObject>
 
+#include "app/session/inspection_report.h"
 #include "core/slam/recording.h"
 #include "render/scene.h"
 #include "render/view.h"
@@ -26,7 +27,15 @@ struct DrawnScene {
   std::string error;  ///< why there is none: what the request asks for does not exist
 };
 
-/// Builds scenes on a thread of its own, from a copy of the recording of its own. Of several
+/// What the inspector tells about.
+struct ReportSubject {
+  int step = 0;
+  std::optional<NodeId> node;
+  std::optional<SubmapId> submap;  ///< with `node`: the pair
+};
+bool operator==(const ReportSubject& a, const ReportSubject& b);
+
+/// Builds scenes and reports on a thread of its own, from a copy of the recording of its own. Of several
 /// requests for a tile only the newest is worked on.
 class SceneWorker : public QObject {
   Q_OBJECT
@@ -46,12 +55,18 @@ class SceneWorker : public QObject {
   /// The newest scene of a tile that was drawn and not yet taken.
   std::optional<DrawnScene> Take(int tile);
 
+  /// Asks for a report; one that was asked for before is forgotten.
+  void AskReport(const ReportSubject& subject);
+  std::optional<InspectionReport> TakeReport();
+
   /// Whether all that was asked for is drawn.
   bool IsIdle() const;
 
  signals:
   /// A scene of `tile` is there to be taken. Emitted on the worker's thread.
   void Drawn(int tile);
+  /// There is a report to be taken. It comes twice if a part of it takes long.
+  void Reported();
 
  private:
   struct Job {
@@ -63,6 +78,8 @@ class SceneWorker : public QObject {
   void Run();
   bool WorkOnce(Workplace* place);
   void Draw(int tile, const Job& job, int run, Workplace* place);
+  void Report(const ReportSubject& subject, int run, const Recording& recording);
+  bool Publish(int run, const InspectionReport& report);
 
   mutable std::mutex mutex_;
   std::condition_variable wake_;
@@ -72,6 +89,8 @@ class SceneWorker : public QObject {
   std::deque<SlamUpdate> updates_;
   std::map<int, Job> jobs_;
   std::map<int, DrawnScene> drawn_;
+  std::optional<ReportSubject> report_job_;
+  std::optional<InspectionReport> report_;
   bool is_drawing_ = false;
   std::thread thread_;
 };
