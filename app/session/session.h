@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/pause.h"
 #include "app/session/session_state.h"
 #include "app/session/timeline.h"
 #include "core/slam/recording.h"
