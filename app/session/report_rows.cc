@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -67,14 +68,15 @@ Section MatchedPoses(const Recording& recording, int step) {
 
 std::vector<ReportRow> VerdictCounts(const Recording& recording, const MapState& state,
                                      const std::function<bool(const LoopCandidate&)>& wanted) {
+  std::map<Verdict, int> counts;
+  for (int i = 0; i < state.num_candidates; ++i) {
+    const LoopCandidate& candidate = recording.candidates()[i];
+    if (wanted(candidate)) ++counts[candidate.verdict];
+  }
   std::vector<ReportRow> rows;
   for (const Verdict verdict : {Verdict::kAccepted, Verdict::kInconsistent, Verdict::kAmbiguous,
                                 Verdict::kBelowMinScore, Verdict::kNotSampled}) {
-    const auto& candidates = recording.candidates();
-    const auto count =
-        std::count_if(candidates.begin(), candidates.begin() + state.num_candidates,
-                      [&](const auto& c) { return c.verdict == verdict && wanted(c); });
-    rows.push_back(Row(ToString(verdict), std::to_string(count)));
+    rows.push_back(Row(ToString(verdict), std::to_string(counts[verdict])));
   }
   return rows;
 }

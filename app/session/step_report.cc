@@ -24,7 +24,7 @@ std::string OutcomeText(const Step& step) {
 Section ScanSection(const Recording& recording, const MapState& state) {
   const int num_scans = static_cast<int>(recording.log().scans.size());
   return {fmt::format("Step {}", state.step),
-          {Row("scan", fmt::format("{} of 0 to {}", state.step, num_scans - 1)),
+          {Row("scans of the log", std::to_string(num_scans)),
            Row("time", TimeText(recording, state.step)),
            Row("stamp", fmt::format("{:.6f} s", recording.log().scans[state.step].time)),
            Row("outcome", OutcomeText(recording.step(state.step))),
