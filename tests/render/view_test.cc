@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/view.h"
 
+#include <vtkTextActor.h>
+
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/mapped_log.h"
@@ -9,6 +12,9 @@
 
 namespace loopscope {
 namespace {
+
+using testing::Contains;
+using testing::Not;
 
 constexpr ViewKind kAllViews[] = {ViewKind::kMap,   ViewKind::kSubmap, ViewKind::kUpdate,
                                   ViewKind::kMatch, ViewKind::kSearch, ViewKind::kGraph};
@@ -22,6 +28,14 @@ ViewRequest RequestFor(ViewKind view) {
   ViewRequest request;
   request.view = view;
   return request;
+}
+
+std::vector<std::string> TextsOf(const Props& props) {
+  std::vector<std::string> texts;
+  for (const auto& prop : props) {
+    if (auto* const text = vtkTextActor::SafeDownCast(prop)) texts.push_back(text->GetInput());
+  }
+  return texts;
 }
 
 std::size_t NumProps(const Scene& scene) {
@@ -82,6 +96,19 @@ TEST(BuildSceneTest, TheRequestMayAimTheMainCamera) {
   const Scene scene = BuildScene(SmallLoop(), request);
   EXPECT_EQ(scene.panels[0].camera.center, Eigen::Vector2d(1.5, -2.0));
   EXPECT_NEAR(scene.panels[0].camera.meters_per_pixel * scene.panels[0].frame.width, 3.0, 1e-9);
+}
+
+TEST(BuildSceneTest, OnlyMapsAreInMetersAndHaveAScaleBarThatFollowsTheCamera) {
+  const Scene scene = BuildScene(SmallLoop(), RequestFor(ViewKind::kSearch));
+  const Panel& map = scene.panels.front();
+  const Panel& chart = scene.panels.back();
+  EXPECT_TRUE(map.is_map);
+  EXPECT_FALSE(chart.is_map);
+  FlatCamera far = map.camera;
+  far.meters_per_pixel = 1.0;
+  EXPECT_THAT(TextsOf(map.edge(far)), Contains("100 m"));
+  EXPECT_THAT(TextsOf(map.edge(map.camera)), Not(Contains("100 m")));
+  EXPECT_EQ(TextsOf(chart.edge(far)), TextsOf(chart.edge(chart.camera)));
 }
 
 TEST(BuildSceneTest, ACacheChangesNoScene) {

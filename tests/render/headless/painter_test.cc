@@ -16,7 +16,7 @@ constexpr Color kRed{200, 0, 0};
 constexpr Color kBlue{0, 0, 180};
 
 /// A panel of 40 x 20 pixels in the middle of a sheet of 80 x 60, a metre a pixel.
-Scene SceneWith(std::vector<vtkSmartPointer<vtkProp>> props, int oversampling = 1) {
+Scene SceneWith(const Props& props, int oversampling = 1) {
   Scene scene;
   scene.width = 80 * oversampling;
   scene.height = 60 * oversampling;
@@ -24,8 +24,8 @@ Scene SceneWith(std::vector<vtkSmartPointer<vtkProp>> props, int oversampling = 
   scene.paper = kPaper;
   const double scale = oversampling;
   const Box frame{20.0 * scale, 20.0 * scale, 40.0 * scale, 20.0 * scale};
-  scene.panels.push_back(
-      {frame, {{0.0, 0.0}, 1.0 / oversampling}, Color{10, 20, 30}, std::move(props)});
+  scene.panels.push_back({frame, {{0.0, 0.0}, 1.0 / oversampling}, Color{10, 20, 30}, {}});
+  for (const auto& prop : props) scene.panels[0].props.push_back({prop});
   return scene;
 }
 
