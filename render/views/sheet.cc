@@ -3,6 +3,7 @@
 #include "render/views/sheet.h"
 
 #include "render/annotation_layer.h"
+#include "render/layers/opacity.h"
 
 namespace loopscope {
 
@@ -51,6 +52,8 @@ double Sheet::OpenChart(int panel, std::vector<std::string> caption) {
 }
 
 void Sheet::Put(int panel, LayerKind kind, vtkSmartPointer<vtkProp> layer) {
+  const auto opacity = request_.opacities.find(kind);
+  if (opacity != request_.opacities.end()) MultiplyOpacity(opacity->second, layer);
   drafts_[panel].layers.emplace(kind, std::move(layer));
 }
 
