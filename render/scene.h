@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
+#include <functional>
 #include <vector>
 #include <vtkProp.h>
 #include <vtkRenderWindow.h>
@@ -13,6 +13,7 @@
 
 #include "render/box.h"
 #include "render/palette.h"
+#include "render/view_kinds.h"
 
 namespace loopscope {
 
@@ -32,13 +33,25 @@ FlatCamera CameraFor(const Extent& extent, const Box& frame);
 /// What the camera sees in `frame`.
 Extent VisibleExtent(const FlatCamera& camera, const Box& frame);
 
+using Props = std::vector<vtkSmartPointer<vtkProp>>;
+
+/// A part of a panel.
+struct LayerProp {
+  vtkSmartPointer<vtkProp> prop;
+  LayerKind kind = LayerKind::kGrid;
+};
+
 /// A map with its own camera. It is drawn from the bottom to the top: `props` in their order, then
 /// texts.
 struct Panel {
   Box frame;  ///< [px] of the picture
   FlatCamera camera;
   Color canvas;  ///< where nothing is drawn
-  std::vector<vtkSmartPointer<vtkProp>> props;
+  std::vector<LayerProp> props;
+  bool is_map = true;  ///< its coordinates are metres of a map; false for a chart
+  /// What stands around the panel while it is seen by a camera, in pixels of the picture: its
+  /// outline, and beneath the scale bar of a map and the caption. May be empty.
+  std::function<Props(const FlatCamera&)> edge = nullptr;
 };
 
 /// A picture before it is drawn: what VTK needs and nothing of how it came about.
@@ -47,7 +60,7 @@ struct Scene {
   int height = 0;        ///< [px]
   int oversampling = 1;  ///< pixels of the scene for one of the picture, in each direction
   Color paper;
-  std::vector<vtkSmartPointer<vtkProp>> annotation;  ///< in pixels
+  Props annotation;  ///< in pixels; without the edges of the panels
   std::vector<Panel> panels;
 };
 

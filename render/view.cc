@@ -5,20 +5,31 @@
 #include <stdexcept>
 #include <tuple>
 
+#include <fmt/format.h>
+
 #include "render/views/views.h"
 
 namespace loopscope {
 namespace {
 
+void RequireLayer(ViewKind view, LayerKind kind) {
+  const std::set<LayerKind>& all = LayersOf(view);
+  if (all.count(kind) > 0) return;
+  std::string expected;
+  for (const LayerKind known : all) expected += (expected.empty() ? "" : ", ") + ToString(known);
+  throw std::invalid_argument("view " + ToString(view) + " has no layer '" + ToString(kind) +
+                              "': expected some of " + expected);
+}
+
 void RequireLayers(const ViewRequest& request) {
-  if (!request.layers) return;
-  const std::set<LayerKind>& all = LayersOf(request.view);
-  for (const LayerKind kind : *request.layers) {
-    if (all.count(kind) > 0) continue;
-    std::string expected;
-    for (const LayerKind known : all) expected += (expected.empty() ? "" : ", ") + ToString(known);
-    throw std::invalid_argument("view " + ToString(request.view) + " has no layer '" +
-                                ToString(kind) + "': expected some of " + expected);
+  if (request.layers) {
+    for (const LayerKind kind : *request.layers) RequireLayer(request.view, kind);
+  }
+  for (const auto& [kind, opacity] : request.opacities) {
+    RequireLayer(request.view, kind);
+    if (opacity >= 0.0 && opacity <= 1.0) continue;
+    throw std::invalid_argument(
+        fmt::format("opacity of layer '{}' is {:g}: expected 0 to 1", ToString(kind), opacity));
   }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -27,6 +28,7 @@ struct ViewRequest {
   Theme theme = Theme::kDefault;
   std::string title;                          ///< instead of the view's own
   std::optional<std::set<LayerKind>> layers;  ///< those to draw, a part of LayersOf(view)
+  std::map<LayerKind, double> opacities;      ///< in [0, 1], of layers of the view; 1 if left out
   std::optional<Eigen::Vector2d> center;      ///< [m] of the main panel, in the frame of the view
   std::optional<double> width_in_meters;      ///< of the main panel
 };

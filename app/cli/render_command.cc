@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -15,6 +16,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/picture_arguments.h"
 #include "app/cli/run_arguments.h"
+#include "core/io/words.h"
 
 namespace loopscope {
 namespace {
@@ -53,6 +55,20 @@ int StepAtTime(const Recording& recording, double time) {
   return found;
 }
 
+/// Adds `text`, which is "grid" or, with an opacity, "grid:0.4".
+void AddLayer(const std::string& text, ViewRequest* request) {
+  const std::size_t colon = std::min(text.find(':'), text.size());
+  const LayerKind kind = LayerKindFromName(text.substr(0, colon));
+  request->layers->insert(kind);
+  if (colon == text.size()) return;
+  const auto opacity = ParseDouble(std::string_view(text).substr(colon + 1));
+  if (!opacity || !(*opacity >= 0.0 && *opacity <= 1.0)) {
+    throw std::invalid_argument(
+        fmt::format("--layers {}: expected an opacity of 0 to 1 behind the colon", text));
+  }
+  request->opacities[kind] = *opacity;
+}
+
 ViewRequest ToRequest(const RenderArguments& arguments, const Recording& recording) {
   ViewRequest request;
   request.view = ViewKindFromName(arguments.view);
@@ -61,9 +77,7 @@ ViewRequest ToRequest(const RenderArguments& arguments, const Recording& recordi
   if (arguments.submap) request.submap = SubmapOf(recording, *arguments.submap);
   if (!arguments.layers.empty()) {
     request.layers.emplace();
-    for (const std::string& name : arguments.layers) {
-      request.layers->insert(LayerKindFromName(name));
-    }
+    for (const std::string& layer : arguments.layers) AddLayer(layer, &request);
   }
   if (!arguments.center.empty()) {
     request.center = Eigen::Vector2d(arguments.center[0], arguments.center[1]);
@@ -126,7 +140,8 @@ void AddRenderCommand(CLI::App* app, int* exit_code) {
   AddSelection(command, arguments.get());
   command
       ->add_option("--layers", arguments->layers,
-                   "Draw only these layers of the view, e.g. grid,nodes,inter")
+                   "Draw only these layers of the view, each with an opacity behind a colon if it "
+                   "is to be clearer, e.g. grid:0.4,nodes,inter")
       ->type_name("A,B,...")
       ->delimiter(',');
   command->add_option("--center", arguments->center, "Point in the middle [m], in the view's frame")

@@ -3,6 +3,7 @@
 #include "render/views/sheet.h"
 
 #include "render/annotation_layer.h"
+#include "render/layers/opacity.h"
 
 namespace loopscope {
 
@@ -46,8 +47,25 @@ double Sheet::OpenChart(int panel, std::vector<std::string> caption) {
   const double width = box.width / box.height;
   Open(panel, Extent(Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(width, 1.0)), palette_.paper,
        std::move(caption));
-  drafts_[panel].has_scale = false;
+  drafts_[panel].is_map = false;
   return width;
+}
+
+void Sheet::Put(int panel, LayerKind kind, vtkSmartPointer<vtkProp> layer) {
+  const auto opacity = request_.opacities.find(kind);
+  if (opacity != request_.opacities.end()) MultiplyOpacity(opacity->second, layer);
+  drafts_[panel].layers.emplace(kind, std::move(layer));
+}
+
+Panel Sheet::FinishPanel(int index) const {
+  const PanelDraft& draft = drafts_[index];
+  Panel panel{frame(index), draft.camera, draft.canvas, {}, draft.is_map};
+  for (const auto& [kind, prop] : draft.layers) panel.props.push_back({prop, kind});
+  panel.edge = [boxes = layout_.panels[index], has_scale = draft.is_map, caption = draft.caption,
+                size = layout_.size, &palette = palette_](const FlatCamera& camera) {
+    return DrawPanelEdge(boxes, has_scale ? &camera : nullptr, caption, size, palette);
+  };
+  return panel;
 }
 
 Scene Sheet::Finish() const {
@@ -57,15 +75,7 @@ Scene Sheet::Finish() const {
   scene.oversampling = oversampling_;
   scene.paper = palette_.paper;
   scene.annotation = DrawAnnotation(annotation_, layout_, palette_);
-  for (int i = 0; i < num_panels(); ++i) {
-    const PanelDraft& draft = drafts_[i];
-    const Props edge = DrawPanelEdge(layout_.panels[i], draft.has_scale ? &draft.camera : nullptr,
-                                     draft.caption, layout_.size, palette_);
-    scene.annotation.insert(scene.annotation.end(), edge.begin(), edge.end());
-    Panel panel{frame(i), draft.camera, draft.canvas, {}};
-    for (const auto& [kind, prop] : draft.layers) panel.props.push_back(prop);
-    scene.panels.push_back(std::move(panel));
-  }
+  for (int i = 0; i < num_panels(); ++i) scene.panels.push_back(FinishPanel(i));
   return scene;
 }
 

@@ -57,7 +57,7 @@ class Sheet {
   /// Adds what `draw` returns if the layer is to be shown. Later ones of a kind cover earlier ones.
   template <typename Draw>
   void Add(int panel, LayerKind kind, const Draw& draw) {
-    if (Shows(kind)) drafts_[panel].layers.emplace(kind, draw());
+    if (Shows(kind)) Put(panel, kind, draw());
   }
 
   Scene Finish() const;
@@ -67,10 +67,12 @@ class Sheet {
     FlatCamera camera;
     Color canvas;
     std::vector<std::string> caption;
-    bool has_scale = true;
+    bool is_map = true;
     std::multimap<LayerKind, vtkSmartPointer<vtkProp>> layers;  // in the order of drawing
   };
 
+  void Put(int panel, LayerKind kind, vtkSmartPointer<vtkProp> layer);
+  Panel FinishPanel(int panel) const;
   Annotation Complete(Annotation annotation, const LayerKeys& keys) const;
 
   const ViewRequest& request_;

@@ -114,6 +114,16 @@ TEST_F(CommandTest, RenderShowsTheStateAfterAStepOrTime) {
   EXPECT_FALSE(at_step == ReadPng(folder_.Path("other.png")));
 }
 
+TEST_F(CommandTest, RenderDrawsLayersAsClearAsAsked) {
+  const std::string render = "render run.loopscope --size 400x300 ";
+  ASSERT_EQ(Run(render + "-o full.png --layers grid:1,trajectory").exit_code, 0);
+  ASSERT_EQ(Run(render + "-o same.png --layers grid,trajectory").exit_code, 0);
+  ASSERT_EQ(Run(render + "-o faint.png --layers grid:0.3,trajectory").exit_code, 0);
+  const Picture full = ReadPng(folder_.Path("full.png"));
+  EXPECT_TRUE(full == ReadPng(folder_.Path("same.png")));
+  EXPECT_FALSE(full == ReadPng(folder_.Path("faint.png")));
+}
+
 TEST_F(CommandTest, RenderNamesThePictureAfterRunAndView) {
   const ProgramRun run = Run("render run.loopscope --view graph --size 320x240");
   EXPECT_EQ(run.out, "run.graph.png\n");
@@ -129,6 +139,8 @@ TEST_F(CommandTest, RenderRefusesWhatTheRecordingDoesNotHave) {
   ExpectRefused(render + "--view submap --submap 99", "there is no submap 99");
   ExpectRefused(render + "--view match --node 9999", "there is no node 9999");
   ExpectRefused(render + "--layers nonsense", "nonsense");
+  ExpectRefused(render + "--layers grid:1.5", "expected an opacity of 0 to 1 behind the colon");
+  ExpectRefused(render + "--layers grid:", "expected an opacity of 0 to 1 behind the colon");
   ExpectRefused(render + "--backend nonsense", "nonsense");
   ExpectRefused(render + "--theme nonsense", "nonsense");
   for (const std::string size : {"1", "1x1", "x", "axb", "400x300x", "99999x300"}) {

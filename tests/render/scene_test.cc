@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/scene.h"
 
+#include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkNew.h>
+#include <vtkRendererCollection.h>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace loopscope {
@@ -34,7 +37,9 @@ TEST(CameraForTest, ShowsAMetreAroundAPointAndAroundNothing) {
 }
 
 TEST(FillRendererTest, LooksDownAtTheExtentOfTheCamera) {
-  Panel panel{kFrame, {{3.0, -2.0}, 0.05}, Color{1, 2, 3}, {}};
+  Panel panel;
+  panel.frame = kFrame;
+  panel.camera = {{3.0, -2.0}, 0.05};
   vtkNew<vtkRenderer> renderer;
   FillRenderer(panel, renderer);
   vtkCamera* const camera = renderer->GetActiveCamera();
@@ -43,6 +48,26 @@ TEST(FillRendererTest, LooksDownAtTheExtentOfTheCamera) {
   EXPECT_DOUBLE_EQ(camera->GetFocalPoint()[0], 3.0);
   EXPECT_DOUBLE_EQ(camera->GetFocalPoint()[1], -2.0);
   EXPECT_DOUBLE_EQ(camera->GetViewUp()[1], 1.0);
+}
+
+TEST(ShowTest, AsksForTheEdgeOfAPanelAsItsCameraSeesIt) {
+  Scene scene;
+  scene.width = 500;
+  scene.height = 300;
+  Panel panel;
+  panel.frame = kFrame;
+  panel.camera = {{3.0, -2.0}, 0.05};
+  std::vector<double> scales;
+  vtkNew<vtkActor> edge;
+  panel.edge = [&](const FlatCamera& camera) {
+    scales.push_back(camera.meters_per_pixel);
+    return Props{edge};
+  };
+  scene.panels = {panel};
+  vtkNew<vtkRenderWindow> window;
+  Show(scene, window);
+  EXPECT_THAT(scales, testing::ElementsAre(0.05));
+  EXPECT_TRUE(window->GetRenderers()->GetFirstRenderer()->HasViewProp(edge));
 }
 
 }  // namespace

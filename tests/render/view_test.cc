@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/view.h"
 
+#include <vtkActor.h>
+#include <vtkProperty.h>
+#include <vtkTextActor.h>
+
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/mapped_log.h"
@@ -9,6 +14,9 @@
 
 namespace loopscope {
 namespace {
+
+using testing::Contains;
+using testing::Not;
 
 constexpr ViewKind kAllViews[] = {ViewKind::kMap,   ViewKind::kSubmap, ViewKind::kUpdate,
                                   ViewKind::kMatch, ViewKind::kSearch, ViewKind::kGraph};
@@ -22,6 +30,14 @@ ViewRequest RequestFor(ViewKind view) {
   ViewRequest request;
   request.view = view;
   return request;
+}
+
+std::vector<std::string> TextsOf(const Props& props) {
+  std::vector<std::string> texts;
+  for (const auto& prop : props) {
+    if (auto* const text = vtkTextActor::SafeDownCast(prop)) texts.push_back(text->GetInput());
+  }
+  return texts;
 }
 
 std::size_t NumProps(const Scene& scene) {
@@ -84,6 +100,34 @@ TEST(BuildSceneTest, TheRequestMayAimTheMainCamera) {
   EXPECT_NEAR(scene.panels[0].camera.meters_per_pixel * scene.panels[0].frame.width, 3.0, 1e-9);
 }
 
+TEST(BuildSceneTest, GivesTheLayersTheOpacitiesAskedFor) {
+  ViewRequest request = RequestFor(ViewKind::kMap);
+  request.layers = std::set<LayerKind>{LayerKind::kGrid, LayerKind::kFrames};
+  request.opacities = {{LayerKind::kGrid, 0.4}, {LayerKind::kNodes, 0.1}};
+  const Scene scene = BuildScene(SmallLoop(), request);
+  ASSERT_EQ(scene.panels[0].props.size(), 2u);
+  const auto opacity = [&](int i) {
+    return vtkActor::SafeDownCast(scene.panels[0].props[i].prop)->GetProperty()->GetOpacity();
+  };
+  EXPECT_EQ(scene.panels[0].props[0].kind, LayerKind::kGrid);
+  EXPECT_DOUBLE_EQ(opacity(0), 0.4);
+  EXPECT_EQ(scene.panels[0].props[1].kind, LayerKind::kFrames);
+  EXPECT_DOUBLE_EQ(opacity(1), 1.0);
+}
+
+TEST(BuildSceneTest, OnlyMapsAreInMetersAndHaveAScaleBarThatFollowsTheCamera) {
+  const Scene scene = BuildScene(SmallLoop(), RequestFor(ViewKind::kSearch));
+  const Panel& map = scene.panels.front();
+  const Panel& chart = scene.panels.back();
+  EXPECT_TRUE(map.is_map);
+  EXPECT_FALSE(chart.is_map);
+  FlatCamera far = map.camera;
+  far.meters_per_pixel = 1.0;
+  EXPECT_THAT(TextsOf(map.edge(far)), Contains("100 m"));
+  EXPECT_THAT(TextsOf(map.edge(map.camera)), Not(Contains("100 m")));
+  EXPECT_EQ(TextsOf(chart.edge(far)), TextsOf(chart.edge(chart.camera)));
+}
+
 TEST(BuildSceneTest, ACacheChangesNoScene) {
   GridCache cache(SmallLoop());
   BuildScene(&cache, RequestFor(ViewKind::kGraph));
@@ -100,6 +144,11 @@ TEST(BuildSceneTest, RefusesWhatCannotBeDrawnSayingWhatWasExpected) {
   EXPECT_EQ(WhyRefused(request),
             "view map has no layer 'tree': expected some of grid, trajectory, nodes, frames, "
             "robot, labels");
+  request = RequestFor(ViewKind::kMap);
+  request.opacities = {{LayerKind::kTree, 0.5}};
+  EXPECT_EQ(WhyRefused(request).substr(0, 27), "view map has no layer 'tree'");
+  request.opacities = {{LayerKind::kGrid, 1.5}};
+  EXPECT_EQ(WhyRefused(request), "opacity of layer 'grid' is 1.5: expected 0 to 1");
   request = RequestFor(ViewKind::kMap);
   request.width_in_meters = 0.0;
   EXPECT_EQ(WhyRefused(request), "width of the map is 0.000000 m: expected more than 0");
