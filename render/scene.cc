@@ -56,6 +56,15 @@ FlatCamera CameraFor(const Extent& extent, const Box& frame) {
   return camera;
 }
 
+Panel SheetOf(const Scene& scene) {
+  Panel sheet;
+  sheet.frame = {0.0, 0.0, static_cast<double>(scene.width), static_cast<double>(scene.height)};
+  sheet.camera = {{0.5 * scene.width, 0.5 * scene.height}, 1.0};
+  sheet.canvas = scene.paper;
+  sheet.props = scene.annotation;
+  return sheet;
+}
+
 void FillRenderer(const Panel& panel, vtkRenderer* renderer) {
   SetBackground(panel.canvas, renderer);
   // By default VTK averages translucent colours regardless of their order; these steps blend each
@@ -70,12 +79,7 @@ void Show(const Scene& scene, vtkRenderWindow* window) {
   while (vtkRenderer* const old = window->GetRenderers()->GetFirstRenderer()) {
     window->RemoveRenderer(old);
   }
-  Panel sheet;
-  sheet.frame = {0.0, 0.0, static_cast<double>(scene.width), static_cast<double>(scene.height)};
-  sheet.camera = {{0.5 * scene.width, 0.5 * scene.height}, 1.0};
-  sheet.canvas = scene.paper;
-  sheet.props = scene.annotation;
-  window->AddRenderer(PanelRenderer(sheet, scene));
+  window->AddRenderer(PanelRenderer(SheetOf(scene), scene));
   for (const Panel& panel : scene.panels) window->AddRenderer(PanelRenderer(panel, scene));
 }
 

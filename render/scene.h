@@ -51,6 +51,9 @@ struct Scene {
   std::vector<Panel> panels;
 };
 
+/// The whole picture as the panel beneath the others: its paper and its annotation, in pixels.
+Panel SheetOf(const Scene& scene);
+
 /// Fills `renderer` with a panel, its camera included.
 void FillRenderer(const Panel& panel, vtkRenderer* renderer);
 

@@ -30,6 +30,11 @@ void RequireCamera(const ViewRequest& request) {
 
 }  // namespace
 
+int OversamplingOf(const ViewRequest& request) {
+  constexpr double kMaxPixels = 3840.0 * 2160.0;
+  return 1.0 * request.width * request.height > kMaxPixels ? 1 : 2;
+}
+
 Scene BuildScene(const Recording& recording, const ViewRequest& request, int oversampling) {
   GridCache cache(recording);
   return BuildScene(&cache, request, oversampling);

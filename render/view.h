@@ -31,6 +31,10 @@ struct ViewRequest {
   std::optional<double> width_in_meters;      ///< of the main panel
 };
 
+/// Pixels of the scene for one of the picture, each way: 2 up to 3840x2160, for smooth edges; 1 for
+/// larger ones, of which four times as many do not fit in memory.
+int OversamplingOf(const ViewRequest& request);
+
 /// The picture of a view: a pure function of its arguments. The frame is the map's for map and
 /// graph, and that of the submap shown for the others. Throws std::invalid_argument that says what
 /// was expected if the recording does not have what is asked for.

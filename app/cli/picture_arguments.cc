@@ -9,7 +9,10 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "core/io/replace_file.h"
 #include "core/io/words.h"
+#include "render/picture_format.h"
+#include "render/vector/vector_picture.h"
 
 namespace loopscope {
 
@@ -51,7 +54,14 @@ void ApplyTo(const PictureArguments& arguments, ViewRequest* request) {
 
 void DrawPicture(const Recording& recording, const ViewRequest& request, Backend backend,
                  const std::string& path) {
-  WritePng(Painter(backend).Draw(recording, request), path);
+  const PictureFormat format = PictureFormatOf(path);
+  if (format == PictureFormat::kPng) {
+    WritePng(Painter(backend).Draw(recording, request), path);
+    return;
+  }
+  const Scene scene = BuildScene(recording, request, OversamplingOf(request));
+  ReplaceFile(path, EncodeVectorPicture(scene, format == PictureFormat::kSvg ? VectorFormat::kSvg
+                                                                             : VectorFormat::kPdf));
 }
 
 }  // namespace loopscope
