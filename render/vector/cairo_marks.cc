@@ -33,8 +33,8 @@ class Marks {
 
   vtkPolyData* data() const { return data_; }
 
-  /// Calls `add` to make a path of each cell, and `paint` to paint it. Neighbours of the same
-  /// opaque colour are one path if `joined`.
+  /// Calls `add` to make a path of each cell, and `paint` with its colour to paint it. Neighbours
+  /// of the same opaque colour are one path if `joined`.
   template <typename Add, typename Paint>
   void Draw(vtkCellArray* cells, bool joined, const Add& add, const Paint& paint) {
     const auto cell = vtk::TakeSmartPointer(cells->NewIterator());
@@ -47,13 +47,13 @@ class Marks {
       if (count == 0) continue;
       const Color color = ColorOf(points[0]);
       const bool continues = has_path && joined && color == current && color.a == 255;
-      if (has_path && !continues) paint();
+      if (has_path && !continues) paint(current);
       if (!continues) Use(color);
       current = color;
       has_path = true;
       add(count, points);
     }
-    if (has_path) paint();
+    if (has_path) paint(current);
   }
 
   Eigen::Vector2d PlaceOf(vtkIdType point) const { return placement_.At(data_->GetPoint(point)); }
@@ -97,7 +97,7 @@ void DrawPoints(vtkProperty* property, double unit, cairo_t* canvas, Marks* mark
       marks->LineTo(points[i]);
     }
   };
-  marks->Draw(marks->data()->GetVerts(), true, add, [&] { cairo_stroke(canvas); });
+  marks->Draw(marks->data()->GetVerts(), true, add, [&](const Color&) { cairo_stroke(canvas); });
 }
 
 void DrawLines(vtkProperty* property, double unit, cairo_t* canvas, Marks* marks) {
@@ -111,16 +111,23 @@ void DrawLines(vtkProperty* property, double unit, cairo_t* canvas, Marks* marks
     for (vtkIdType i = 1; i < count - (is_closed ? 1 : 0); ++i) marks->LineTo(points[i]);
     if (is_closed) cairo_close_path(canvas);
   };
-  marks->Draw(marks->data()->GetLines(), true, add, [&] { cairo_stroke(canvas); });
+  marks->Draw(marks->data()->GetLines(), true, add, [&](const Color&) { cairo_stroke(canvas); });
 }
 
-void DrawPolygons(cairo_t* canvas, Marks* marks) {
+/// An opaque polygon gets an edge, so that no seam is seen between it and its neighbour.
+void DrawPolygons(double unit, cairo_t* canvas, Marks* marks) {
+  constexpr double kEdge = 0.5;  // [px]
   const auto add = [&](vtkIdType count, const vtkIdType* points) {
     marks->MoveTo(points[0]);
     for (vtkIdType i = 1; i < count; ++i) marks->LineTo(points[i]);
     cairo_close_path(canvas);
   };
-  marks->Draw(marks->data()->GetPolys(), false, add, [&] { cairo_fill(canvas); });
+  const auto paint = [&](const Color& color) {
+    color.a == 255 ? cairo_fill_preserve(canvas) : cairo_fill(canvas);
+    if (color.a == 255) cairo_stroke(canvas);
+  };
+  cairo_set_line_width(canvas, kEdge * unit);
+  marks->Draw(marks->data()->GetPolys(), false, add, paint);
 }
 
 /// Cairo's pixels: 0xAARRGGBB, the colours multiplied by the opacity, the highest row first.
@@ -177,11 +184,10 @@ void DrawActor(vtkActor* actor, const Placement& placement, cairo_t* canvas) {
   }
   DrawPoints(actor->GetProperty(), placement.unit, canvas, &marks);
   DrawLines(actor->GetProperty(), placement.unit, canvas, &marks);
-  DrawPolygons(canvas, &marks);
+  DrawPolygons(placement.unit, canvas, &marks);
 }
 
 double VectorSizeOf(vtkActor* actor) {
-  if (actor->GetTexture() != nullptr) return 0.0;  // an image already
   constexpr double kPath = 180.0;
   constexpr double kPoint = 20.0;
   vtkPolyData* const data = vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->GetInput();

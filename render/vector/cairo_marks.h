@@ -13,7 +13,7 @@ namespace loopscope {
 /// this order, or an image.
 void DrawActor(vtkActor* actor, const Placement& placement, cairo_t* canvas);
 
-/// Bytes that the actor takes in a vector picture, roughly.
+/// Bytes that the marks of the actor take in a vector picture, roughly.
 double VectorSizeOf(vtkActor* actor);
 
 }  // namespace loopscope

@@ -10,6 +10,7 @@ namespace loopscope {
 struct Placement {
   Eigen::Matrix<double, 2, 3> turn = Eigen::Matrix<double, 2, 3>::Zero();
   Eigen::Vector2d shift = Eigen::Vector2d::Zero();
+  Eigen::Vector2d corner = Eigen::Vector2d::Zero();  ///< of the panel: the upper left one
   double unit = 1.0;  ///< of the canvas for a pixel of the scene: scales widths and texts
 
   Eigen::Vector2d At(const double* point) const {

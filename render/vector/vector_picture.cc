@@ -12,7 +12,7 @@
 
 #include "render/vector/cairo_marks.h"
 #include "render/vector/cairo_texts.h"
-#include "render/vector/svg_images.h"
+#include "render/vector/svg_names.h"
 
 namespace loopscope {
 namespace {
@@ -57,48 +57,87 @@ Surface Document(const Scene& scene, VectorFormat format, std::string* document)
   return pdf;
 }
 
+void Fill(const Color& color, cairo_t* canvas) {
+  cairo_set_source_rgba(canvas, color.r / 255.0, color.g / 255.0, color.b / 255.0, color.a / 255.0);
+  cairo_paint(canvas);
+}
+
 Placement PlacementOf(const FlatCamera& camera, const Box& frame, double height, double unit) {
   const double scale = unit / camera.meters_per_pixel;
   Placement placement;
   placement.turn << scale, 0.0, 0.0, 0.0, -scale, 0.0;
   placement.shift = Eigen::Vector2d(unit * frame.center_x() - scale * camera.center.x(),
                                     unit * (height - frame.center_y()) + scale * camera.center.y());
+  placement.corner = unit * Eigen::Vector2d(frame.left, height - frame.top());
   placement.unit = unit;
   return placement;
 }
 
-/// The marks of a layer as pixels of the scene: for more of them than a file can hold.
-void DrawAsImage(vtkActor* actor, const Panel& panel, const Placement& placement, cairo_t* canvas) {
-  const Surface image(cairo_image_surface_create(CAIRO_FORMAT_ARGB32,
-                                                 static_cast<int>(std::ceil(panel.frame.width)),
-                                                 static_cast<int>(std::ceil(panel.frame.height))),
-                      &cairo_surface_destroy);
-  const Canvas pixels = CanvasOn(image.get());
-  const Box whole{0.0, 0.0, panel.frame.width, panel.frame.height};
-  DrawActor(actor, PlacementOf(panel.camera, whole, whole.height, 1.0), pixels.get());
-  cairo_surface_flush(image.get());
-  cairo_save(canvas);
-  double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
-  cairo_clip_extents(canvas, &left, &top, &right, &bottom);
-  cairo_translate(canvas, left, top);
-  cairo_scale(canvas, placement.unit, placement.unit);
-  cairo_set_source_surface(canvas, image.get(), 0.0, 0.0);
-  cairo_paint(canvas);
-  cairo_restore(canvas);
+/// Layers of a panel that are pixels in the file: those of the scene. What is drawn one after the
+/// other becomes one image.
+class LayersAsImage {
+ public:
+  LayersAsImage(const Panel& panel, const Placement& placement, cairo_t* canvas)
+      : panel_(panel), placement_(placement), canvas_(canvas) {}
+
+  /// `beneath` is what the image begins with, if it is not there yet.
+  void Draw(vtkActor* actor, const Color& beneath) {
+    const Box whole{0.0, 0.0, panel_.frame.width, panel_.frame.height};
+    if (!image_) Begin(whole, beneath);
+    DrawActor(actor, PlacementOf(panel_.camera, whole, whole.height, 1.0), pixels_.get());
+  }
+
+  /// Puts the image onto the canvas, if there is one.
+  void Finish() {
+    if (!image_) return;
+    pixels_.reset();
+    cairo_save(canvas_);
+    cairo_translate(canvas_, placement_.corner.x(), placement_.corner.y());
+    cairo_scale(canvas_, placement_.unit, placement_.unit);
+    cairo_set_source_surface(canvas_, image_.get(), 0.0, 0.0);
+    cairo_paint(canvas_);
+    cairo_restore(canvas_);
+    image_.reset();
+  }
+
+ private:
+  void Begin(const Box& whole, const Color& beneath) {
+    const cairo_format_t format = beneath.a == 255 ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32;
+    image_.reset(cairo_image_surface_create(format, static_cast<int>(std::ceil(whole.width)),
+                                            static_cast<int>(std::ceil(whole.height))));
+    pixels_ = CanvasOn(image_.get());
+    Fill(beneath, pixels_.get());
+  }
+
+  const Panel& panel_;
+  const Placement& placement_;
+  cairo_t* canvas_;
+  Surface image_{nullptr, &cairo_surface_destroy};
+  Canvas pixels_{nullptr, &cairo_destroy};
+};
+
+bool BelongsInImage(vtkActor* actor) {
+  constexpr double kMaxSize = 1.5e6;  // [bytes] of a layer
+  return actor->GetTexture() != nullptr || VectorSizeOf(actor) > kMaxSize;
 }
 
-/// What is flat comes before all texts, as VTK draws it.
+/// What is flat comes before all texts, as VTK draws it. An image at the bottom has no clear parts,
+/// whose edges would be seen.
 void DrawProps(const Panel& panel, const Placement& placement, cairo_t* canvas) {
-  constexpr double kMaxSize = 1.5e6;  // [bytes] of a layer
+  Color beneath = panel.canvas;
+  LayersAsImage image(panel, placement, canvas);
   for (const auto& prop : panel.props) {
     auto* const actor = vtkActor::SafeDownCast(prop);
     if (actor == nullptr || !actor->GetVisibility()) continue;
-    if (VectorSizeOf(actor) > kMaxSize) {
-      DrawAsImage(actor, panel, placement, canvas);
+    if (BelongsInImage(actor)) {
+      image.Draw(actor, beneath);
     } else {
+      image.Finish();
       DrawActor(actor, placement, canvas);
     }
+    beneath = {0, 0, 0, 0};
   }
+  image.Finish();
   for (const auto& prop : panel.props) {
     auto* const texts = vtkActor2D::SafeDownCast(prop);
     if (texts != nullptr && texts->GetVisibility()) DrawTexts(texts, placement, canvas);
@@ -107,14 +146,13 @@ void DrawProps(const Panel& panel, const Placement& placement, cairo_t* canvas) 
 
 void DrawPanel(const Panel& panel, double height, double unit, cairo_t* canvas) {
   const Box& frame = panel.frame;
+  const Placement placement = PlacementOf(panel.camera, frame, height, unit);
   cairo_save(canvas);
-  cairo_rectangle(canvas, unit * frame.left, unit * (height - frame.top()), unit * frame.width,
+  cairo_rectangle(canvas, placement.corner.x(), placement.corner.y(), unit * frame.width,
                   unit * frame.height);
   cairo_clip(canvas);
-  const Color& color = panel.canvas;
-  cairo_set_source_rgb(canvas, color.r / 255.0, color.g / 255.0, color.b / 255.0);
-  cairo_paint(canvas);
-  DrawProps(panel, PlacementOf(panel.camera, frame, height, unit), canvas);
+  Fill(panel.canvas, canvas);
+  DrawProps(panel, placement, canvas);
   cairo_restore(canvas);
 }
 
@@ -132,7 +170,7 @@ std::string EncodeVectorPicture(const Scene& scene, VectorFormat format) {
     cairo_surface_finish(document.get());
     Require(cairo_surface_status(document.get()));
   }
-  return format == VectorFormat::kSvg ? WithFinishedImages(bytes) : bytes;
+  return format == VectorFormat::kSvg ? WithOwnNames(bytes) : bytes;
 }
 
 }  // namespace loopscope

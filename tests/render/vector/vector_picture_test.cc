@@ -120,13 +120,25 @@ TEST(EncodeVectorPictureTest, DrawsRoundPointsAsDots) {
               HasSubstr("stroke-width:6;stroke-linecap:round"));
 }
 
-TEST(EncodeVectorPictureTest, HasGridsAsImagesWithSharpCells) {
-  CellImage image({{0, 0}, 2, 1});
-  // Cells of 8 m: the first from -4 to 4 in both directions.
-  const std::string svg = Svg(SceneWith({CellImageLayer(image, Pose2(), 8.0)}));
-  EXPECT_THAT(svg, HasSubstr(R"svg(width="2" height="1" xlink:href="data:image/png;base64)svg"));
-  EXPECT_THAT(svg, HasSubstr(R"svg(style="image-rendering:pixelated" )svg"
-                             R"svg(transform="matrix(8,0,0,8,36,36)")svg"));
+TEST(EncodeVectorPictureTest, GathersTheGridsAtTheBottomInOneImageWithoutClearParts) {
+  CellImage cells({{0, 0}, 2, 1});
+  const auto grid = CellImageLayer(cells, Pose2(), 8.0);
+  const std::string svg = Svg(SceneWith({grid, grid, Line(kRed)}));
+  EXPECT_EQ(CountOf("<image ", svg), 1);
+  EXPECT_EQ(CountOf("<mask ", svg), 0);
+  EXPECT_THAT(svg, HasSubstr(R"svg(width="40" height="20" xlink:href="data:image/png;base64)svg"));
+  EXPECT_THAT(svg, HasSubstr(R"svg(transform="matrix(1,0,0,1,20,30)")svg"));
+  EXPECT_LT(svg.find("<use xlink:href=\"#image"), svg.find("stroke:rgb(100%,0%,0%)"));
+}
+
+TEST(EncodeVectorPictureTest, KeepsTheOrderOfGridsAndMarks) {
+  CellImage cells({{0, 0}, 2, 1});
+  const auto grid = CellImageLayer(cells, Pose2(), 8.0);
+  const std::string svg = Svg(SceneWith({grid, Line(kRed), grid}));
+  EXPECT_EQ(CountOf("<image ", svg), 2);
+  const std::size_t line = svg.find("stroke:rgb(100%,0%,0%)");
+  EXPECT_LT(svg.find("<use xlink:href=\"#image"), line);
+  EXPECT_GT(svg.rfind("<use xlink:href=\"#image"), line);
 }
 
 TEST(EncodeVectorPictureTest, MakesAnImageOfSoManyMarksThatTheFileWouldBeHuge) {
