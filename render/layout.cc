@@ -117,13 +117,15 @@ void PlaceColumn(const Annotation& annotation, Box* area, Layout* layout) {
 
 }  // namespace
 
-SheetSize MakeSheetSize(int width, int height, int oversampling) {
+SheetSize MakeSheetSize(int width, int height, int oversampling,
+                        std::optional<int> text_height) {
   if (width < 320 || height < 240 || width > 8192 || height > 8192) {
     throw std::invalid_argument("size " + std::to_string(width) + "x" + std::to_string(height) +
                                 ": expected a picture between 320x240 and 8192x8192");
   }
   const double shorter = std::min<double>(height, 0.75 * width);
-  const double font = std::max(8.0, 3.2 + 0.0135 * shorter);
+  const double fitting = std::max(8.0, 3.2 + 0.0135 * shorter);
+  const double font = text_height ? *text_height : fitting;
   SheetSize size;
   size.width = width * oversampling;
   size.height = height * oversampling;

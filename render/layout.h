@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "render/annotation.h"
@@ -19,8 +20,9 @@ struct SheetSize {
 };
 
 /// The size of a picture of width x height that is drawn with `oversampling` times as many pixels
-/// in each direction. Throws std::invalid_argument unless it is between 320x240 and 8192x8192.
-SheetSize MakeSheetSize(int width, int height, int oversampling);
+/// in each direction. Text is `text_height` high [px], or as fits the picture. Throws std::invalid_argument unless it is between 320x240 and 8192x8192.
+SheetSize MakeSheetSize(int width, int height, int oversampling,
+                        std::optional<int> text_height = std::nullopt);
 
 /// Where a map stands and the strip with its scale bar and caption beneath.
 struct PanelBoxes {

@@ -15,19 +15,6 @@ void SetBackground(const Color& color, vtkRenderer* renderer) {
   renderer->SetBackground(color.r / 255.0, color.g / 255.0, color.b / 255.0);
 }
 
-Panel SheetPanel(const Scene& scene) {
-  Panel sheet;
-  sheet.frame = {0.0, 0.0, static_cast<double>(scene.width), static_cast<double>(scene.height)};
-  sheet.camera = {{0.5 * scene.width, 0.5 * scene.height}, 1.0};
-  sheet.canvas = scene.paper;
-  for (const auto& prop : scene.annotation) sheet.props.push_back({prop});
-  for (const Panel& panel : scene.panels) {
-    if (!panel.edge) continue;
-    for (const auto& prop : panel.edge(panel.camera)) sheet.props.push_back({prop});
-  }
-  return sheet;
-}
-
 vtkSmartPointer<vtkRenderer> PanelRenderer(const Panel& panel, const Scene& scene) {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   renderer->SetViewport(panel.frame.left / scene.width, panel.frame.bottom / scene.height,
@@ -59,6 +46,19 @@ FlatCamera CameraFor(const Extent& extent, const Box& frame) {
   return camera;
 }
 
+Panel SheetOf(const Scene& scene) {
+  Panel sheet;
+  sheet.frame = {0.0, 0.0, static_cast<double>(scene.width), static_cast<double>(scene.height)};
+  sheet.camera = {{0.5 * scene.width, 0.5 * scene.height}, 1.0};
+  sheet.canvas = scene.paper;
+  for (const auto& prop : scene.annotation) sheet.props.push_back({prop});
+  for (const Panel& panel : scene.panels) {
+    if (!panel.edge) continue;
+    for (const auto& prop : panel.edge(panel.camera)) sheet.props.push_back({prop});
+  }
+  return sheet;
+}
+
 void LookDown(const FlatCamera& flat, double height, vtkRenderer* renderer) {
   vtkCamera* const camera = renderer->GetActiveCamera();
   camera->ParallelProjectionOn();
@@ -83,7 +83,7 @@ void Show(const Scene& scene, vtkRenderWindow* window) {
   while (vtkRenderer* const old = window->GetRenderers()->GetFirstRenderer()) {
     window->RemoveRenderer(old);
   }
-  window->AddRenderer(PanelRenderer(SheetPanel(scene), scene));
+  window->AddRenderer(PanelRenderer(SheetOf(scene), scene));
   for (const Panel& panel : scene.panels) window->AddRenderer(PanelRenderer(panel, scene));
 }
 

@@ -66,6 +66,8 @@ struct Scene {
 
 /// Makes `renderer` show what the camera sees in a panel of `height` pixels.
 void LookDown(const FlatCamera& camera, double height, vtkRenderer* renderer);
+/// The whole picture as the panel beneath the others: its paper and its annotation, in pixels.
+Panel SheetOf(const Scene& scene);
 
 /// Fills `renderer` with a panel, its camera included.
 void FillRenderer(const Panel& panel, vtkRenderer* renderer);

@@ -33,6 +33,14 @@ void RequireLayers(const ViewRequest& request) {
   }
 }
 
+void RequireTextHeight(const ViewRequest& request) {
+  constexpr int kMin = 8, kMax = 200;
+  if (!request.text_height) return;
+  if (*request.text_height >= kMin && *request.text_height <= kMax) return;
+  throw std::invalid_argument(fmt::format("text is {} px high: expected {} to {}",
+                                          *request.text_height, kMin, kMax));
+}
+
 void RequireCamera(const ViewRequest& request) {
   if (request.width_in_meters && !(*request.width_in_meters > 0.0)) {
     throw std::invalid_argument("width of the map is " + std::to_string(*request.width_in_meters) +
@@ -45,9 +53,14 @@ void RequireCamera(const ViewRequest& request) {
 bool operator==(const ViewRequest& a, const ViewRequest& b) {
   const auto fields = [](const ViewRequest& r) {
     return std::tie(r.view, r.step, r.node, r.submap, r.width, r.height, r.theme, r.title, r.layers,
-                    r.center, r.width_in_meters);
+                    r.opacities, r.center, r.width_in_meters, r.text_height);
   };
   return fields(a) == fields(b);
+}
+
+int OversamplingOf(const ViewRequest& request) {
+  constexpr double kMaxPixels = 3840.0 * 2160.0;
+  return 1.0 * request.width * request.height > kMaxPixels ? 1 : 2;
 }
 
 Scene BuildScene(const Recording& recording, const ViewRequest& request, int oversampling) {
@@ -58,6 +71,7 @@ Scene BuildScene(const Recording& recording, const ViewRequest& request, int ove
 Scene BuildScene(GridCache* cache, const ViewRequest& request, int oversampling) {
   RequireLayers(request);
   RequireCamera(request);
+  RequireTextHeight(request);
   const Recording& recording = cache->recording();
   switch (request.view) {
     case ViewKind::kMap:

@@ -31,9 +31,13 @@ struct ViewRequest {
   std::map<LayerKind, double> opacities;      ///< in [0, 1], of layers of the view; 1 if left out
   std::optional<Eigen::Vector2d> center;      ///< [m] of the main panel, in the frame of the view
   std::optional<double> width_in_meters;      ///< of the main panel
+  std::optional<int> text_height;  ///< [px], 8 to 200; grows with the picture if left out
 };
 
 bool operator==(const ViewRequest& a, const ViewRequest& b);
+/// Pixels of the scene for one of the picture, each way: 2 up to 3840x2160, for smooth edges; 1 for
+/// larger ones, of which four times as many do not fit in memory.
+int OversamplingOf(const ViewRequest& request);
 
 /// The picture of a view: a pure function of its arguments. The frame is the map's for map and
 /// graph, and that of the submap shown for the others. Throws std::invalid_argument that says what

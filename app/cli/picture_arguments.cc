@@ -9,7 +9,10 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "core/io/replace_file.h"
 #include "core/io/words.h"
+#include "render/picture_format.h"
+#include "render/vector/vector_picture.h"
 
 namespace loopscope {
 
@@ -22,6 +25,10 @@ void AddPictureArguments(CLI::App* command, PictureArguments* arguments) {
       ->check(CLI::IsMember({"default", "color-blind"}));
   command->add_option("--title", arguments->title, "Title instead of the view's own")
       ->type_name("TEXT");
+  command
+      ->add_option("--text", arguments->text_height,
+                   "Height of the text in pixels (default: grows with the picture)")
+      ->type_name("PIXELS");
   command
       ->add_option(
           "--backend", arguments->backend,
@@ -47,11 +54,19 @@ void ApplyTo(const PictureArguments& arguments, ViewRequest* request) {
   request->height = *height;
   request->theme = ThemeFromName(arguments.theme);
   request->title = arguments.title;
+  request->text_height = arguments.text_height;
 }
 
 void DrawPicture(const Recording& recording, const ViewRequest& request, Backend backend,
                  const std::string& path) {
-  WritePng(Painter(backend).Draw(recording, request), path);
+  const PictureFormat format = PictureFormatOf(path);
+  if (format == PictureFormat::kPng) {
+    WritePng(Painter(backend).Draw(recording, request), path);
+    return;
+  }
+  const Scene scene = BuildScene(recording, request, OversamplingOf(request));
+  ReplaceFile(path, EncodeVectorPicture(scene, format == PictureFormat::kSvg ? VectorFormat::kSvg
+                                                                             : VectorFormat::kPdf));
 }
 
 }  // namespace loopscope

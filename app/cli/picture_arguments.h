@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "render/headless/painter.h"
@@ -19,6 +20,7 @@ struct PictureArguments {
   std::string size = "1280x720";
   std::string theme = "default";
   std::string title;
+  std::optional<int> text_height;  // [px]
   std::string backend = "auto";
 };
 
@@ -27,8 +29,8 @@ void AddPictureArguments(CLI::App* command, PictureArguments* arguments);
 /// Puts them into a request. Throws std::invalid_argument.
 void ApplyTo(const PictureArguments& arguments, ViewRequest* request);
 
-/// Draws the picture and writes it as PNG. Throws std::invalid_argument, std::runtime_error or
-/// FileError.
+/// Draws the picture and writes it as PNG, SVG or PDF, as the name of the file ends. Throws
+/// std::invalid_argument, std::runtime_error or FileError.
 void DrawPicture(const Recording& recording, const ViewRequest& request, Backend backend,
                  const std::string& path);
 

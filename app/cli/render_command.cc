@@ -17,6 +17,7 @@
 #include "app/cli/picture_arguments.h"
 #include "app/cli/run_arguments.h"
 #include "core/io/words.h"
+#include "render/picture_format.h"
 
 namespace loopscope {
 namespace {
@@ -88,6 +89,7 @@ ViewRequest ToRequest(const RenderArguments& arguments, const Recording& recordi
 }
 
 int RunRender(const RenderArguments& arguments) {
+  if (!arguments.output.empty()) PictureFormatOf(arguments.output);  // before the work begins
   const Recording recording = ReadRun(arguments.run);
   const ViewRequest request = ToRequest(arguments, recording);
   const std::string output =
@@ -135,7 +137,8 @@ void AddRenderCommand(CLI::App* app, int* exit_code) {
                    "  graph   nodes, submaps, constraints and residuals")
       ->type_name("VIEW");
   command
-      ->add_option("-o,--output", arguments->output, "PNG to write (default: RUN.VIEW.png, here)")
+      ->add_option("-o,--output", arguments->output,
+                   "PNG, SVG or PDF to write, by its name (default: RUN.VIEW.png, here)")
       ->type_name("FILE");
   AddSelection(command, arguments.get());
   command

@@ -19,6 +19,7 @@
 #include "app/cli/run_arguments.h"
 #include "core/slam/derive.h"
 #include "core/slam/loop_explanation.h"
+#include "render/picture_format.h"
 
 namespace loopscope {
 namespace {
@@ -157,6 +158,7 @@ void DrawSearch(const Recording& recording, const SearchArguments& arguments) {
 }
 
 int RunSearch(const SearchArguments& arguments) {
+  if (!arguments.output.empty()) PictureFormatOf(arguments.output);  // before the work begins
   const Recording recording = ReadRun(arguments.run);
   const NodeId node = NodeOf(recording, arguments.node);
   const SubmapId submap = SubmapOf(recording, arguments.submap);
@@ -191,7 +193,7 @@ void AddSearchCommand(CLI::App* app, int* exit_code) {
                    "Search for poses of this score, instead of that of the options")
       ->check(CLI::Range(0.0, 1.0))
       ->type_name("S");
-  command->add_option("-o,--output", arguments->output, "Draw the search too, as PNG")
+  command->add_option("-o,--output", arguments->output, "Draw the search too, as PNG, SVG or PDF")
       ->type_name("FILE");
   command->add_flag("--json", arguments->json, "Print JSON, with every node of the tree");
   AddPictureArguments(command, &arguments->picture);

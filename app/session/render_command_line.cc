@@ -16,9 +16,14 @@ std::string Quoted(const std::string& word) {
   return quoted + "'";
 }
 
-std::string LayersText(const std::set<LayerKind>& layers) {
+/// The layers that are drawn, with their opacities.
+std::string LayersText(const ViewRequest& request) {
   std::string text;
-  for (const LayerKind layer : layers) text += (text.empty() ? "" : ",") + ToString(layer);
+  for (const LayerKind layer : request.layers.value_or(DefaultLayersOf(request.view))) {
+    text += (text.empty() ? "" : ",") + ToString(layer);
+    const auto opacity = request.opacities.find(layer);
+    if (opacity != request.opacities.end()) text += fmt::format(":{}", opacity->second);
+  }
   return text;
 }
 
@@ -33,12 +38,13 @@ std::vector<std::string> RenderArguments(const ViewRequest& request, const std::
   if (request.step) add("--step", std::to_string(*request.step));
   if (request.node) add("--node", std::to_string(request.node->index));
   if (request.submap) add("--submap", std::to_string(request.submap->index));
-  if (request.layers) add("--layers", LayersText(*request.layers));
+  if (request.layers || !request.opacities.empty()) add("--layers", LayersText(request));
   if (request.center) {
     add("--center", fmt::format("{},{}", request.center->x(), request.center->y()));
   }
   if (request.width_in_meters) add("--width", fmt::format("{}", *request.width_in_meters));
   add("--size", fmt::format("{}x{}", request.width, request.height));
+  if (request.text_height) add("--text", std::to_string(*request.text_height));
   if (request.theme == Theme::kColorBlind) add("--theme", "color-blind");
   if (!request.title.empty()) add("--title", request.title);
   add("-o", output);

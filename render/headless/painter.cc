@@ -52,9 +52,7 @@ Picture Painter::Draw(const Recording& recording, const ViewRequest& request) {
 }
 
 Picture Painter::Draw(GridCache* cache, const ViewRequest& request) {
-  constexpr double kMaxPixels = 3840.0 * 2160.0;  // of which four times as many fit in memory
-  const bool is_huge = 1.0 * request.width * request.height > kMaxPixels;
-  return Draw(BuildScene(cache, request, is_huge ? 1 : 2));
+  return Draw(BuildScene(cache, request, OversamplingOf(request)));
 }
 
 }  // namespace loopscope

@@ -22,7 +22,7 @@ class Painter {
   /// The scene, its pixels averaged down to those of the picture.
   Picture Draw(const Scene& scene);
 
-  /// BuildScene, up to 3840x2160 with twice as many pixels each way for smooth edges, and Draw.
+  /// BuildScene with OversamplingOf, and Draw.
   Picture Draw(const Recording& recording, const ViewRequest& request);
   /// Likewise, of the recording of `cache`.
   Picture Draw(GridCache* cache, const ViewRequest& request);

@@ -14,7 +14,8 @@ Sheet::Sheet(const ViewRequest& request, int oversampling, Annotation annotation
       oversampling_(oversampling),
       shown_(request.layers.value_or(DefaultLayersOf(request.view))),
       annotation_(Complete(std::move(annotation), keys)),
-      layout_(LayOut(MakeSheetSize(request.width, request.height, oversampling), annotation_,
+      layout_(LayOut(MakeSheetSize(request.width, request.height, oversampling,
+                                    request.text_height), annotation_,
                      arrangement)),
       drafts_(layout_.panels.size()) {}
 

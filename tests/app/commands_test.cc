@@ -130,6 +130,16 @@ TEST_F(CommandTest, RenderNamesThePictureAfterRunAndView) {
   EXPECT_TRUE(Exists("run.graph.png"));
 }
 
+TEST_F(CommandTest, RenderWritesVectorPicturesByTheNameOfTheFile) {
+  const std::string render = "render run.loopscope --size 400x300 --view graph -o ";
+  ASSERT_EQ(Run(render + "a.svg").exit_code, 0);
+  EXPECT_THAT(ContentOf(folder_.Path("a.svg")), HasSubstr("viewBox=\"0 0 400 300\""));
+  ASSERT_EQ(Run(render + "a.pdf").exit_code, 0);
+  EXPECT_EQ(ContentOf(folder_.Path("a.pdf")).substr(0, 5), "%PDF-");
+  ExpectRefused(render + "a.bmp", "a.bmp: expected a name that ends in .png, .svg or .pdf");
+  EXPECT_FALSE(Exists("a.bmp"));
+}
+
 TEST_F(CommandTest, RenderRefusesWhatTheRecordingDoesNotHave) {
   const std::string render = "render run.loopscope ";
   ExpectRefused(render + "--view nonsense", "map, submap, update, match, search");
