@@ -51,7 +51,9 @@ struct SessionState {
   std::optional<NodeId> node;      ///< selected,
   std::optional<SubmapId> submap;  ///< likewise; with both, the pair of them
   std::map<ViewKind, ViewSettings> views;
-  std::map<TableKind, TableSettings> tables;
+  /// Most pairs are skipped by sampling: they are not listed unless asked for.
+  std::map<TableKind, TableSettings> tables{
+      {TableKind::kLoops, {"verdict != \"not sampled\"", "", false}}};
   Theme theme = Theme::kDefault;  ///< of the pictures
 };
 bool operator==(const SessionState& a, const SessionState& b);

@@ -85,6 +85,9 @@ ViewRequest ExportDialog::request() const {
   ViewRequest request = request_;
   request.width = width_->value();
   request.height = height_->value();
+  const bool has_size_of_window =
+      request.width == request_.width && request.height == request_.height;
+  if (!has_size_of_window) request.text_height.reset();
   return request;
 }
 

@@ -22,6 +22,9 @@ InspectorPanel::InspectorPanel(SceneWorker* worker, QWidget* parent)
   setFrameShape(QFrame::NoFrame);
   setWordWrap(true);
   setFocusPolicy(Qt::NoFocus);
+  setColumnWidth(kName, 140);
+  setColumnWidth(kValue, 130);
+  setTextElideMode(Qt::ElideRight);
   connect(worker_, &SceneWorker::Reported, this, &InspectorPanel::TakeReport);
 }
 
@@ -45,18 +48,18 @@ void InspectorPanel::TakeReport() {
     title->setFont(kName, bold);
     title->setFirstColumnSpanned(true);
     for (const ReportRow& row : section.rows) {
+      const QString name = QString::fromStdString(row.name);
       auto* const item = new QTreeWidgetItem(
-          title, {QString::fromStdString(row.name), QString::fromStdString(row.value),
+          title, {name.section('.', -1), QString::fromStdString(row.value),
                   QString::fromStdString(row.expected)});
-      for (int column = 0; column < kNumColumns; ++column) {
-        item->setToolTip(column, item->text(column));
-      }
+      item->setToolTip(kName, name);
+      item->setToolTip(kValue, item->text(kValue));
+      item->setToolTip(kExpected, item->text(kExpected));
       if (!row.passed) item->setForeground(kValue, QColor(0xe0483e));
       if (row.passed && !row.expected.empty()) item->setForeground(kValue, QColor(0x2f9e4f));
     }
   }
   expandAll();
-  for (int column = 0; column < kNumColumns; ++column) resizeColumnToContents(column);
 }
 
 }  // namespace loopscope

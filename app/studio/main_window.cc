@@ -38,6 +38,7 @@ namespace {
 
 constexpr int kMaxTiles = 4;
 constexpr int kTickMilliseconds = 30;
+constexpr int kPanelsMilliseconds = 150;
 
 RunLine RunIn(MainWindow* window) {
   return [window](const std::string& line) { window->Run(line); };
@@ -60,6 +61,9 @@ MainWindow::MainWindow() {
   connect(&worker_, &SceneWorker::Drawn, this, [this](int tile) { tiles_[tile]->TakeScene(); });
   connect(&play_timer_, &QTimer::timeout, this, &MainWindow::Tick);
   play_timer_.setInterval(kTickMilliseconds);
+  connect(&panels_timer_, &QTimer::timeout, this, &MainWindow::RefreshPanels);
+  panels_timer_.setSingleShot(true);
+  panels_timer_.setInterval(kPanelsMilliseconds);
   connect(&export_, QOverload<int, QProcess::ExitStatus>::of(&QProcess::finished), this,
           &MainWindow::EndExport);
   ConnectOpener();
@@ -152,6 +156,7 @@ QDockWidget* MainWindow::AddDock(const char* title, QWidget* content, Qt::DockWi
   auto* const dock = new QDockWidget(title, this);
   dock->setObjectName(title);
   dock->setWidget(content);
+  dock->setTitleBarWidget(new QWidget(dock));  // its tab says what it is
   addDockWidget(area, dock);
   actions_->AddToWindowMenu(dock->toggleViewAction());
   return dock;
@@ -229,7 +234,7 @@ void MainWindow::Run(const std::string& line) {
 
 bool MainWindow::IsIdle() const {
   return !opener_.IsReading() && !opener_.IsMapping() && worker_.IsIdle() &&
-         export_.state() == QProcess::NotRunning;
+         export_.state() == QProcess::NotRunning && !panels_timer_.isActive();
 }
 
 /// Shows the session as it is now in every part of the window.
@@ -244,12 +249,17 @@ void MainWindow::Refresh() {
   timeline_->Show(session_);
   play_bar_->Show(session_);
   layers_->Show(session_);
-  inspector_->Show(session_);
-  for (TablePanel* const table : tables_) table->Show(session_);
+  if (!panels_timer_.isActive()) panels_timer_.start();
   if (session_.playing() && !play_timer_.isActive()) {
     since_tick_.start();
     play_timer_.start();
   }
+}
+
+/// Tables and inspector take longer than pictures of a run that is played or dragged allow.
+void MainWindow::RefreshPanels() {
+  inspector_->Show(session_);
+  for (TablePanel* const table : tables_) table->Show(session_);
 }
 
 void MainWindow::ArrangeTiles() {

@@ -79,6 +79,7 @@ class MainWindow : public QMainWindow, public SessionHost {
   void Restore();
 
   void Refresh();
+  void RefreshPanels();
   void ArrangeTiles();
   void Tick();
   void StartExport(const ViewRequest& request, const QString& path);
@@ -105,6 +106,7 @@ class MainWindow : public QMainWindow, public SessionHost {
   QMenu* recent_ = nullptr;
   QProcess export_;
   QTimer play_timer_;
+  QTimer panels_timer_;
   QElapsedTimer since_tick_;
 };
 

@@ -17,6 +17,8 @@ namespace {
 const std::vector<ViewKind> kKinds{ViewKind::kMap,   ViewKind::kSubmap, ViewKind::kUpdate,
                                    ViewKind::kMatch, ViewKind::kSearch, ViewKind::kGraph};
 
+constexpr int kTextHeight = 12;  // [px] as in the rest of the window
+
 }  // namespace
 
 Tile::Tile(int index, SceneWorker* worker, RunLine run, QWidget* parent)
@@ -73,6 +75,7 @@ void Tile::Show(const Session& session) {
   constexpr int kMinWidth = 320, kMinHeight = 240;  // of a picture
   request.width = std::max(kMinWidth, view_->width());
   request.height = std::max(kMinHeight, view_->height());
+  request.text_height = kTextHeight;
   if (asked_ == request) return;
   asked_ = request;
   worker_->Ask(index_, request, view_->device_pixels());

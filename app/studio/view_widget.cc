@@ -44,18 +44,28 @@ void ViewWidget::Show(Scene scene, bool keep_camera) {
   const bool is_moving = keep_camera && rest_.isActive() && has_scene();
   const FlatCamera moving = is_moving ? scene_.panels.front().camera : FlatCamera();
   scene_ = std::move(scene);
+  // The edge of the main panel follows its camera: it is drawn here.
+  draw_edge_ = std::exchange(scene_.panels.front().edge, nullptr);
+  edge_.clear();
   loopscope::Show(scene_, renderWindow());
   panels_.clear();
   vtkRendererCollection* const renderers = renderWindow()->GetRenderers();
   renderers->InitTraversal();
-  renderers->GetNextItem();  // the paper around the panels
+  paper_ = renderers->GetNextItem();
   while (vtkRenderer* const renderer = renderers->GetNextItem()) panels_.push_back(renderer);
   is_moved_ = false;
+  DrawEdge();
   if (is_moving) {
     MoveTo(moving);
   } else {
     Draw();
   }
+}
+
+void ViewWidget::DrawEdge() {
+  for (const auto& prop : edge_) paper_->RemoveViewProp(prop);
+  if (draw_edge_) edge_ = draw_edge_(scene_.panels.front().camera);
+  for (const auto& prop : edge_) paper_->AddViewProp(prop);
 }
 
 void ViewWidget::Draw() {
@@ -101,6 +111,7 @@ void ViewWidget::MoveTo(const FlatCamera& camera) {
   panel.camera = camera;
   LookDown(camera, panel.frame.height, panels_.front());
   is_moved_ = true;
+  DrawEdge();
   rest_.start();
   Draw();
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -56,6 +57,7 @@ class ViewWidget : public QVTKOpenGLNativeWidget {
 
  private:
   void Draw();
+  void DrawEdge();
   void MoveTo(const FlatCamera& camera);
   void TellRest();
   /// In pixels of the scene, from its lower left.
@@ -63,6 +65,9 @@ class ViewWidget : public QVTKOpenGLNativeWidget {
 
   Scene scene_;
   std::vector<vtkRenderer*> panels_;  // of the window, as in scene_
+  vtkRenderer* paper_ = nullptr;      // around the panels
+  std::function<Props(const FlatCamera&)> draw_edge_;  // of the main panel
+  Props edge_;
   bool is_moved_ = false;             // the camera is not that of the scene
   std::optional<QPoint> pressed_at_;
   bool is_dragging_ = false;
