@@ -77,6 +77,7 @@ TEST(QuotedForShell, IsTheSameWordInAShell) {
     EXPECT_EQ(ContentOf(file), word);
   }
   EXPECT_EQ(QuotedForShell("a/b-c_1.png"), "a/b-c_1.png");
+  EXPECT_EQ(QuotedForShell(""), "''");
 }
 
 }  // namespace
