@@ -13,8 +13,8 @@ namespace loopscope {
 /// A node of the syntax tree of a TableFilter.
 struct FilterTerm {
   enum class Kind {
-    kAnd,      ///< both parts
-    kOr,       ///< either part
+    kAnd,      ///< all parts
+    kOr,       ///< any of the parts
     kNot,      ///< of the one part
     kNumber,   ///< `column` lies in the interval
     kText,     ///< `column` is `text`

@@ -107,7 +107,7 @@ void ExportDialog::ChoosePath() {
 
 void ExportDialog::ShowCommandLine() {
   command_line_->setPlainText(QString::fromStdString(
-      RenderCommandLine(request(), run_, path_->text().toStdString())));
+      RenderCommandLine(run_, request(), path_->text().toStdString())));
 }
 
 }  // namespace loopscope

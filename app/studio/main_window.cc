@@ -323,7 +323,7 @@ void MainWindow::StartExport(const ViewRequest& request, const QString& path) {
   }
   QStringList arguments;
   for (const std::string& argument :
-       RenderArguments(request, session_.path(), path.toStdString())) {
+       RenderArguments(session_.path(), request, path.toStdString())) {
     arguments.append(QString::fromStdString(argument));
   }
   pointer_->setText("Drawing " + path + " …");
@@ -339,7 +339,7 @@ void MainWindow::EndExport(int exit_code) {
 void MainWindow::CopyCommandLine() {
   const ViewRequest request = *tiles_[session_.state().active_tile]->asked();
   const std::string line =
-      RenderCommandLine(request, session_.path(), ToString(request.view) + ".png");
+      RenderCommandLine(session_.path(), request, ToString(request.view) + ".png");
   QApplication::clipboard()->setText(QString::fromStdString(line));
   pointer_->setText(QString::fromStdString("Copied: " + line));
 }

@@ -107,6 +107,20 @@ TEST(ReportOnStep, TellsWhatTheScanCaused) {
               Contains("final optimization"));
 }
 
+TEST(ReportOnStep, CountsTheLoopsUntilTheStep) {
+  const Recording& run = SmallLoopRun();
+  const LoopCandidate& first = FirstWith(Verdict::kAccepted);
+  for (const int step : {first.applied_step - 1, first.applied_step, run.num_steps() - 1}) {
+    const auto num_closed =
+        std::count_if(run.candidates().begin(), run.candidates().end(), [&](const auto& candidate) {
+          return candidate.applied_step <= step && candidate.verdict == Verdict::kAccepted;
+        });
+    EXPECT_EQ(ValueOf({SectionOf(ReportOnStep(run, StateAfterStep(run, step)), "So far")},
+                      "loops closed"),
+              std::to_string(num_closed));
+  }
+}
+
 TEST(ReportOnStep, NamesTheSubmapsBegunAndFinished) {
   const Recording& run = SmallLoopRun();
   const int step = run.submaps()[0].finished_step;
@@ -159,6 +173,10 @@ TEST(ReportOnNode, HasTheResidualOfEveryConstraint) {
         return candidate.node == loop.node && candidate.verdict == Verdict::kNotSampled;
       });
   EXPECT_EQ(ValueOf(report, "not sampled"), std::to_string(num_skipped));
+  const std::vector<std::string> names = NamesOf(SectionOf(report, "Residuals of its constraints"));
+  const auto num_inter = std::count_if(
+      names.begin(), names.end(), [](const std::string& name) { return name.find("INTER") == 0; });
+  EXPECT_EQ(ValueOf(report, "closed"), std::to_string(num_inter));
 }
 
 TEST(ReportOnNode, SaysThatANodeOfLaterHasNoGlobalPoseYet) {
