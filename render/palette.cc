@@ -65,6 +65,8 @@ Palette DefaultPalette() {
   p.intra_residual = Rgb(0xff2a2a);
   p.covariance = Rgb(0x8ef0a8);
   p.refused = Rgb(0xff5ac8);
+  p.selection = Rgb(0xff8a00);
+  p.selection_edge = Rgb(0x15181c);
   return p;
 }
 
@@ -95,6 +97,7 @@ Palette ColorBlindPalette() {
   p.inter_residual = kSkyBlue;
   p.intra_residual = kPurple;
   p.covariance = Rgb(0xf0e442);
+  p.selection = Rgb(0xf0e442);
   return p;
 }
 

@@ -89,7 +89,9 @@ struct Palette {
   Color inter_residual;
   Color intra_residual;
   Color covariance;
-  Color refused;  ///< a loop that was found and not believed
+  Color refused;         ///< a loop that was found and not believed
+  Color selection;       ///< what the user looks at, seen on light and dark maps
+  Color selection_edge;  ///< around its lines
 };
 
 const Palette& PaletteOf(Theme theme);

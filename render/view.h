@@ -20,9 +20,11 @@ namespace loopscope {
 /// What to draw of a recording, and how. Whatever is left out is chosen by the view.
 struct ViewRequest {
   ViewKind view = ViewKind::kMap;
-  std::optional<int> step;     ///< the state after this scan; the last one
-  std::optional<NodeId> node;  ///< for update and match (then its step is the default) and search
-  std::optional<SubmapId> submap;  ///< for submap, update and search
+  std::optional<int> step;  ///< the state after this scan; the last one
+  /// The subject of update and match (then its step is the default) and search; selected in map and
+  /// graph.
+  std::optional<NodeId> node;
+  std::optional<SubmapId> submap;  ///< likewise of submap, update and search; in map and graph
   int width = 1280;                ///< [px], 320 or more
   int height = 720;                ///< [px], 240 or more
   Theme theme = Theme::kDefault;

@@ -35,6 +35,7 @@ enum class LayerKind {
   kCovariances,
   kFrames,
   kRobot,
+  kSelection,
   kLabels,
 };
 

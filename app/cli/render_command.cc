@@ -113,9 +113,13 @@ void AddSelection(CLI::App* command, RenderArguments* arguments) {
                    "Likewise by time: seconds since the first scan, or a stamp of the log")
       ->type_name("T")
       ->excludes(step);
-  command->add_option("--node", arguments->node, "Node to show (update, match, search)")
+  command
+      ->add_option("--node", arguments->node,
+                   "Node to show (update, match, search) or to mark (map, graph)")
       ->type_name("N");
-  command->add_option("--submap", arguments->submap, "Submap to show (submap, update, search)")
+  command
+      ->add_option("--submap", arguments->submap,
+                   "Submap to show (submap, update, search) or to mark (map, graph)")
       ->type_name("M");
 }
 
