@@ -7,6 +7,7 @@
 
 #include "app/session/inspection_report.h"
 #include "app/session/report_rows.h"
+#include "render/views/selection.h"
 #include "core/slam/covariance.h"
 
 namespace loopscope {

@@ -16,13 +16,6 @@
 namespace loopscope {
 namespace {
 
-void RequireIndex(const char* what, int index, std::size_t size) {
-  if (0 <= index && index < static_cast<int>(size)) return;
-  throw std::invalid_argument(
-      size == 0 ? fmt::format("there is no {} in the recording", what)
-                : fmt::format("there is no {0} {1}; expected 0 to {2}", what, index, size - 1));
-}
-
 }  // namespace
 
 ReportRow Row(std::string name, std::string value) {
@@ -93,14 +86,6 @@ Section OptionsInForce(const Options& options, const std::vector<std::string>& p
         Row(row.key, ToText(GetValue(row)) + (row.unit.empty() ? "" : " " + row.unit)));
   }
   return section;
-}
-
-void RequireNode(const Recording& recording, NodeId node) {
-  RequireIndex("node", node.index, recording.nodes().size());
-}
-
-void RequireSubmap(const Recording& recording, SubmapId submap) {
-  RequireIndex("submap", submap.index, recording.submaps().size());
 }
 
 }  // namespace loopscope

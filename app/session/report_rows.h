@@ -39,8 +39,4 @@ std::vector<ReportRow> VerdictCounts(const Recording& recording, const MapState&
 /// The options whose keys begin with one of `prefixes`.
 Section OptionsInForce(const Options& options, const std::vector<std::string>& prefixes);
 
-/// Throw std::invalid_argument that says which there are if the recording does not have it.
-void RequireNode(const Recording& recording, NodeId node);
-void RequireSubmap(const Recording& recording, SubmapId submap);
-
 }  // namespace loopscope

@@ -22,8 +22,8 @@ InspectorPanel::InspectorPanel(SceneWorker* worker, QWidget* parent)
   setFrameShape(QFrame::NoFrame);
   setWordWrap(true);
   setFocusPolicy(Qt::NoFocus);
-  setColumnWidth(kName, 140);
-  setColumnWidth(kValue, 130);
+  setColumnWidth(kName, 130);
+  setColumnWidth(kValue, 170);
   setTextElideMode(Qt::ElideRight);
   connect(worker_, &SceneWorker::Reported, this, &InspectorPanel::TakeReport);
 }

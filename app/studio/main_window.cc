@@ -186,7 +186,7 @@ void MainWindow::MakeDocks() {
     connect(dock, &QDockWidget::visibilityChanged, this, [this] { Refresh(); });
   }
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  resizeDocks({inspector}, {330}, Qt::Horizontal);
+  resizeDocks({inspector}, {380}, Qt::Horizontal);
   resizeDocks({first}, {210}, Qt::Vertical);
 }
 
@@ -201,6 +201,7 @@ void MainWindow::ConnectOpener() {
             for (TablePanel* const table : tables_) table->Forget();
             inspector_->Forget();
             message_bar_->Tell("");
+            pointer_->clear();
             setWindowTitle(QString::fromStdString(recording->log().name + " – " + path) +
                            " – Loopscope");
             Refresh();

@@ -307,9 +307,9 @@ TEST(InspectionReport, RefusesWhatTheRecordingDoesNotHave) {
   const std::string last_node = std::to_string(run.nodes().size() - 1);
   const std::string last_submap = std::to_string(run.submaps().size() - 1);
   EXPECT_EQ(MessageOf([&] { ReportOnNode(run, state, NodeId{9999}); }),
-            "there is no node 9999; expected 0 to " + last_node);
+            "no node 9999: expected 0 to " + last_node);
   EXPECT_EQ(MessageOf([&] { ReportOnSubmap(run, state, SubmapId{-1}); }),
-            "there is no submap -1; expected 0 to " + last_submap);
+            "no submap -1: expected 0 to " + last_submap);
   EXPECT_THROW(ReportOnPair(run, state, SubmapId{9999}, NodeId{0}), std::invalid_argument);
   EXPECT_THROW(ReportOnPair(run, state, SubmapId{0}, NodeId{-1}), std::invalid_argument);
   EXPECT_EQ(MessageOf([&] { ReportOnCovariance(run, early, NodeId{20}); }),
