@@ -32,6 +32,12 @@ void RequireLayers(const ViewRequest& request) {
   }
 }
 
+void RequireFilter(const ViewRequest& request) {
+  if (request.search.empty() || request.view == ViewKind::kSearch) return;
+  throw std::invalid_argument("view " + ToString(request.view) +
+                              " has no visits, heights or angles: expected view search");
+}
+
 void RequireCamera(const ViewRequest& request) {
   if (request.width_in_meters && !(*request.width_in_meters > 0.0)) {
     throw std::invalid_argument("width of the map is " + std::to_string(*request.width_in_meters) +
@@ -48,6 +54,7 @@ Scene BuildScene(const Recording& recording, const ViewRequest& request, int ove
 
 Scene BuildScene(GridCache* cache, const ViewRequest& request, int oversampling) {
   RequireLayers(request);
+  RequireFilter(request);
   RequireCamera(request);
   const Recording& recording = cache->recording();
   switch (request.view) {
