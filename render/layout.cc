@@ -72,6 +72,15 @@ std::vector<Box> GridCells(int count, const Box& area, double gap) {
   return cells;
 }
 
+std::vector<Box> SideBoxes(const Arrangement& arrangement, Box area, double gap) {
+  if (arrangement.last_share <= 0.0) return GridCells(arrangement.num_side_panels, area, gap);
+  const Box last = CutBottom(arrangement.last_share * area.height, &area);
+  CutBottom(gap, &area);
+  std::vector<Box> boxes = GridCells(arrangement.num_side_panels - 1, area, gap);
+  boxes.push_back(last);
+  return boxes;
+}
+
 /// Whole pixels, so that an image in the panel can be drawn pixel by pixel.
 Box Rounded(const Box& box) {
   const double left = std::ceil(box.left);
@@ -90,7 +99,7 @@ std::vector<PanelBoxes> PlacePanels(const SheetSize& size, const Arrangement& ar
     boxes.push_back(side_by_side ? CutLeft(arrangement.main_share * area.width, &area)
                                  : CutTop(arrangement.main_share * area.height, &area));
     side_by_side ? CutLeft(gap, &area) : CutTop(gap, &area);
-    for (const Box& cell : GridCells(arrangement.num_side_panels, area, gap)) boxes.push_back(cell);
+    for (const Box& cell : SideBoxes(arrangement, area, gap)) boxes.push_back(cell);
   }
   std::vector<PanelBoxes> panels;
   for (Box& box : boxes) {

@@ -49,6 +49,7 @@ struct Arrangement {
   int num_side_panels = 0;
   double main_share = 0.6;  ///< of the main panel, if there are others
   int footer_rows = 1;      ///< 2: the captions stand in a row of their own beneath the scale bars
+  double last_share = 0.0;  ///< of the last panel, beneath the other side panels; 0: like them
 };
 
 Layout LayOut(const SheetSize& size, const Annotation& annotation, const Arrangement& arrangement);

@@ -53,7 +53,7 @@ Palette DefaultPalette() {
   p.bound = {{Rgb(0x440154), Rgb(0x3b528b), Rgb(0x21918c), Rgb(0x5ec962), Rgb(0xfde725)}};
   p.window = Rgb(0x1a73e8);
   p.expanded = Rgb(0x111111);
-  p.pruned = Rgb(0x8d949c);
+  p.hatch = WithOpacity(Rgb(0x3c444d), 0.55);
   p.winner = Rgb(0xe5178f);
   p.trajectory = HueOf(0);
   p.node = Rgb(0xffffff);

@@ -76,7 +76,7 @@ struct Palette {
   ColorMap bound;  ///< from low to high scores
   Color window;
   Color expanded;
-  Color pruned;
+  Color hatch;  ///< of pruned blocks
   Color winner;
 
   // Graph.
@@ -106,6 +106,7 @@ constexpr double kBold = 2.6;
 constexpr double kScanPoint = 2.6;
 constexpr double kNode = 2.8;
 constexpr double kMark = 9.0;
+constexpr double kHatch = 4.5;  ///< between the lines of a hatch
 constexpr double kAxis = 16.0;  ///< length of the axes of a frame
 }  // namespace widths
 

@@ -41,6 +41,12 @@ void RequireTextHeight(const ViewRequest& request) {
                                           *request.text_height, kMin, kMax));
 }
 
+void RequireFilter(const ViewRequest& request) {
+  if (request.search.empty() || request.view == ViewKind::kSearch) return;
+  throw std::invalid_argument("view " + ToString(request.view) +
+                              " has no visits, heights or angles: expected view search");
+}
+
 void RequireCamera(const ViewRequest& request) {
   if (request.width_in_meters && !(*request.width_in_meters > 0.0)) {
     throw std::invalid_argument("width of the map is " + std::to_string(*request.width_in_meters) +
@@ -53,7 +59,8 @@ void RequireCamera(const ViewRequest& request) {
 bool operator==(const ViewRequest& a, const ViewRequest& b) {
   const auto fields = [](const ViewRequest& r) {
     return std::tie(r.view, r.step, r.node, r.submap, r.width, r.height, r.theme, r.title, r.layers,
-                    r.opacities, r.center, r.width_in_meters, r.text_height);
+                    r.opacities, r.center, r.width_in_meters, r.text_height,
+                    r.search.num_visits, r.search.height, r.search.angle_index);
   };
   return fields(a) == fields(b);
 }
@@ -70,6 +77,7 @@ Scene BuildScene(const Recording& recording, const ViewRequest& request, int ove
 
 Scene BuildScene(GridCache* cache, const ViewRequest& request, int oversampling) {
   RequireLayers(request);
+  RequireFilter(request);
   RequireCamera(request);
   RequireTextHeight(request);
   const Recording& recording = cache->recording();

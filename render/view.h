@@ -13,6 +13,7 @@
 #include "render/grid_cache.h"
 #include "render/palette.h"
 #include "render/scene.h"
+#include "render/search_filter.h"
 #include "render/view_kinds.h"
 
 namespace loopscope {
@@ -25,6 +26,7 @@ struct ViewRequest {
   /// graph.
   std::optional<NodeId> node;
   std::optional<SubmapId> submap;  ///< likewise of submap, update and search; in map and graph
+  SearchFilter search;             ///< for search only
   int width = 1280;                ///< [px], 320 or more
   int height = 720;                ///< [px], 240 or more
   Theme theme = Theme::kDefault;

@@ -18,6 +18,9 @@
 #include "app/cli/run_arguments.h"
 #include "core/io/words.h"
 #include "render/picture_format.h"
+#include "core/slam/derive.h"
+#include "render/layers/search_part.h"
+#include "render/views/selection.h"
 
 namespace loopscope {
 namespace {
@@ -30,6 +33,9 @@ struct RenderArguments {
   std::optional<double> time;
   std::optional<int> node;
   std::optional<int> submap;
+  std::optional<int> visits;
+  std::optional<int> height;
+  std::optional<double> angle;
   std::vector<std::string> layers;
   std::vector<double> center;
   std::optional<double> width_in_meters;
@@ -70,12 +76,24 @@ void AddLayer(const std::string& text, ViewRequest* request) {
   request->opacities[kind] = *opacity;
 }
 
+/// Of the search that `request` asks for, the angle nearest to `degrees`.
+int AngleIndexOf(const Recording& recording, const ViewRequest& request, double degrees) {
+  if (request.view != ViewKind::kSearch) return 0;  // refused later
+  const auto [submap, node] = SearchedPairOf(recording, request);
+  const auto search = ReplaySearch(recording, submap, node);
+  return search ? AngleIndexNear(search->trace.window, DegreesToRadians(degrees)) : 0;
+}
+
 ViewRequest ToRequest(const RenderArguments& arguments, const Recording& recording) {
   ViewRequest request;
   request.view = ViewKindFromName(arguments.view);
   request.step = arguments.time ? StepAtTime(recording, *arguments.time) : arguments.step;
   if (arguments.node) request.node = NodeOf(recording, *arguments.node);
   if (arguments.submap) request.submap = SubmapOf(recording, *arguments.submap);
+  request.search = {arguments.visits, arguments.height, std::nullopt};
+  if (arguments.angle) {
+    request.search.angle_index = AngleIndexOf(recording, request, *arguments.angle);
+  }
   if (!arguments.layers.empty()) {
     request.layers.emplace();
     for (const std::string& layer : arguments.layers) AddLayer(layer, &request);
@@ -123,6 +141,19 @@ void AddSelection(CLI::App* command, RenderArguments* arguments) {
       ->type_name("M");
 }
 
+void AddSearchFilter(CLI::App* command, RenderArguments* arguments) {
+  command
+      ->add_option("--visits", arguments->visits,
+                   "Show the search as it was after so many visits of its tree (search)")
+      ->type_name("K");
+  command->add_option("--height", arguments->height, "Show the blocks of this height only (search)")
+      ->type_name("H");
+  command
+      ->add_option("--angle", arguments->angle,
+                   "Show the blocks of the angle nearest to this one only, from the guess (search)")
+      ->type_name("DEGREES");
+}
+
 }  // namespace
 
 void AddRenderCommand(CLI::App* app, int* exit_code) {
@@ -145,6 +176,7 @@ void AddRenderCommand(CLI::App* app, int* exit_code) {
                    "PNG, SVG or PDF to write, by its name (default: RUN.VIEW.png, here)")
       ->type_name("FILE");
   AddSelection(command, arguments.get());
+  AddSearchFilter(command, arguments.get());
   command
       ->add_option("--layers", arguments->layers,
                    "Draw only these layers of the view, each with an opacity behind a colon if it "

@@ -119,6 +119,15 @@ TEST(LayoutTest, TheMainPanelIsTheLargest) {
   EXPECT_NEAR(area(layout.panels[1].frame), area(layout.panels[2].frame), 1000.0);
 }
 
+TEST(LayoutTest, TheLastPanelMayBeAStripBeneathTheOtherSidePanels) {
+  const Arrangement arrangement{2, 0.42, 2, 0.3};
+  const auto panels = LayOut(MakeSheetSize(1280, 720, 1), FullAnnotation(), arrangement).panels;
+  ASSERT_EQ(panels.size(), 3u);
+  EXPECT_EQ(panels[1].frame.left, panels[2].frame.left);
+  EXPECT_GE(panels[1].footer.bottom, panels[2].frame.top());
+  EXPECT_GT(panels[1].frame.height, 2.0 * panels[2].frame.height);
+}
+
 TEST(SheetSizeTest, TextAndStrokesGrowWithThePicture) {
   EXPECT_EQ(MakeSheetSize(320, 240, 1).font, 8);
   EXPECT_EQ(MakeSheetSize(1280, 720, 1).font, 13);

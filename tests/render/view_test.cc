@@ -129,6 +129,18 @@ TEST(BuildSceneTest, OnlyMapsAreInMetersAndHaveAScaleBarThatFollowsTheCamera) {
   EXPECT_EQ(TextsOf(chart.edge(far)), TextsOf(chart.edge(chart.camera)));
 }
 
+TEST(BuildSceneTest, OneHeightOfASearchHasAPanelBetweenMapAndAngles) {
+  ViewRequest request = RequestFor(ViewKind::kSearch);
+  const Scene all = BuildScene(SmallLoop(), request);
+  request.search.height = 4;
+  const Scene one = BuildScene(SmallLoop(), request);
+  EXPECT_EQ(all.panels.size(), 9u);
+  ASSERT_EQ(one.panels.size(), 3u);
+  EXPECT_GT(one.panels[1].frame.height, 1.5 * all.panels[1].frame.height);
+  EXPECT_LT(one.panels[2].frame.top(), one.panels[1].frame.bottom);
+  EXPECT_FALSE(one.panels[2].is_map);
+}
+
 TEST(BuildSceneTest, ACacheChangesNoScene) {
   GridCache cache(SmallLoop());
   BuildScene(&cache, RequestFor(ViewKind::kGraph));
@@ -164,8 +176,15 @@ TEST(BuildSceneTest, RefusesWhatCannotBeDrawnSayingWhatWasExpected) {
   EXPECT_EQ(WhyRefused(request),
             "node 0 cannot be searched in submap 0: expected a finished submap that it is not "
             "part of");
+  request = RequestFor(ViewKind::kMap);
+  request.search.height = 2;
+  EXPECT_EQ(WhyRefused(request), "view map has no visits, heights or angles: expected view search");
+  request = RequestFor(ViewKind::kSearch);
+  request.search.height = 99;
+  EXPECT_EQ(WhyRefused(request), "height 99 of the search: expected 0 to 6");
+  request = RequestFor(ViewKind::kSearch);
+  request.node = NodeId{0};
   request.step = 3;
-  request.submap.reset();
   EXPECT_EQ(WhyRefused(request),
             "no loop search of node 0 until step 3: expected both a node and a submap");
 }

@@ -23,6 +23,9 @@ struct Ask : ViewRequest {
   Ask& Around(double x, double y, double meters) {
     return center = Eigen::Vector2d(x, y), width_in_meters = meters, *this;
   }
+  Ask& Visits(int value) { return search.num_visits = value, *this; }
+  Ask& Height(int value) { return search.height = value, *this; }
+  Ask& Angle(int index) { return search.angle_index = index, *this; }
   Ask& Layers(const std::set<LayerKind>& value) { return layers = value, *this; }
 };
 
@@ -66,6 +69,9 @@ PICTURE(search, Ask(V::kSearch))
 PICTURE(search_in_vain, Ask(V::kSearch).Node(84).Submap(11))
 PICTURE(search_refused, Ask(V::kSearch).Node(16).Submap(0))
 PICTURE(search_never_done, Ask(V::kSearch).Node(75).Submap(0))
+PICTURE(search_after_some_visits, Ask(V::kSearch).Visits(60))
+PICTURE(search_at_one_height, Ask(V::kSearch).Visits(200).Height(3).Size(1000, 600))
+PICTURE(search_at_one_angle, Ask(V::kSearch).Angle(1).ColorBlind())
 PICTURE(search_tiny, Ask(V::kSearch).Size(320, 240))
 PICTURE(graph, Ask(V::kGraph))
 PICTURE(graph_before_loops, Ask(V::kGraph).Step(120))
