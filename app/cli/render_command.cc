@@ -7,14 +7,13 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "app/cli/commands.h"
-#include "app/cli/picture_arguments.h"
 #include "app/cli/run_arguments.h"
+#include "app/cli/view_arguments.h"
 #include "render/picture_format.h"
 
 namespace loopscope {
@@ -22,16 +21,10 @@ namespace {
 
 struct RenderArguments {
   std::string run;
-  std::string view = "map";
   std::string output;
   std::optional<int> step;
   std::optional<double> time;
-  std::optional<int> node;
-  std::optional<int> submap;
-  std::vector<std::string> layers;
-  std::vector<double> center;
-  std::optional<double> width_in_meters;
-  PictureArguments picture;
+  ViewArguments view;
 };
 
 /// The last scan that was mapped until `time`: a stamp of the log, or seconds since its first scan.
@@ -54,40 +47,20 @@ int StepAtTime(const Recording& recording, double time) {
   return found;
 }
 
-ViewRequest ToRequest(const RenderArguments& arguments, const Recording& recording) {
-  ViewRequest request;
-  request.view = ViewKindFromName(arguments.view);
-  request.step = arguments.time ? StepAtTime(recording, *arguments.time) : arguments.step;
-  if (arguments.node) request.node = NodeOf(recording, *arguments.node);
-  if (arguments.submap) request.submap = SubmapOf(recording, *arguments.submap);
-  if (!arguments.layers.empty()) {
-    request.layers.emplace();
-    for (const std::string& name : arguments.layers) {
-      request.layers->insert(LayerKindFromName(name));
-    }
-  }
-  if (!arguments.center.empty()) {
-    request.center = Eigen::Vector2d(arguments.center[0], arguments.center[1]);
-  }
-  request.width_in_meters = arguments.width_in_meters;
-  ApplyTo(arguments.picture, &request);
-  return request;
-}
-
 int RunRender(const RenderArguments& arguments) {
   if (!arguments.output.empty()) PictureFormatOf(arguments.output);  // before the work begins
   const Recording recording = ReadRun(arguments.run);
-  const ViewRequest request = ToRequest(arguments, recording);
+  ViewRequest request = ToRequest(arguments.view, recording);
+  request.step = arguments.time ? StepAtTime(recording, *arguments.time) : arguments.step;
+  const std::string name = std::filesystem::path(arguments.run).stem().string();
   const std::string output =
-      arguments.output.empty()
-          ? std::filesystem::path(arguments.run).stem().string() + "." + arguments.view + ".png"
-          : arguments.output;
-  DrawPicture(recording, request, BackendFromName(arguments.picture.backend), output);
+      arguments.output.empty() ? name + "." + arguments.view.view + ".png" : arguments.output;
+  DrawPicture(recording, request, BackendFromName(arguments.view.picture.backend), output);
   fmt::print("{}\n", output);
   return 0;
 }
 
-void AddSelection(CLI::App* command, RenderArguments* arguments) {
+void AddStep(CLI::App* command, RenderArguments* arguments) {
   CLI::Option* const step =
       command
           ->add_option("--step", arguments->step,
@@ -99,10 +72,6 @@ void AddSelection(CLI::App* command, RenderArguments* arguments) {
                    "Likewise by time: seconds since the first scan, or a stamp of the log")
       ->type_name("T")
       ->excludes(step);
-  command->add_option("--node", arguments->node, "Node to show (update, match, search)")
-      ->type_name("N");
-  command->add_option("--submap", arguments->submap, "Submap to show (submap, update, search)")
-      ->type_name("M");
 }
 
 }  // namespace
@@ -113,32 +82,11 @@ void AddRenderCommand(CLI::App* app, int* exit_code) {
   const auto arguments = std::make_shared<RenderArguments>();
   AddRunArgument(command, &arguments->run);
   command
-      ->add_option("--view", arguments->view,
-                   "What to draw:\n"
-                   "  map     all submaps at their optimized poses, and the way (default)\n"
-                   "  submap  one probability grid, its scans and its frame\n"
-                   "  update  what one scan hit and missed, and the odds before and after\n"
-                   "  match   one scan where it was predicted and where it was matched\n"
-                   "  search  one loop search: where it looked, and what it pruned\n"
-                   "  graph   nodes, submaps, constraints and residuals")
-      ->type_name("VIEW");
-  command
       ->add_option("-o,--output", arguments->output,
                    "PNG, SVG or PDF to write, by its name (default: RUN.VIEW.png, here)")
       ->type_name("FILE");
-  AddSelection(command, arguments.get());
-  command
-      ->add_option("--layers", arguments->layers,
-                   "Draw only these layers of the view, e.g. grid,nodes,inter")
-      ->type_name("A,B,...")
-      ->delimiter(',');
-  command->add_option("--center", arguments->center, "Point in the middle [m], in the view's frame")
-      ->type_name("X,Y")
-      ->delimiter(',')
-      ->expected(2);
-  command->add_option("--width", arguments->width_in_meters, "Width of what is shown [m]")
-      ->type_name("METERS");
-  AddPictureArguments(command, &arguments->picture);
+  AddStep(command, arguments.get());
+  AddViewArguments(command, &arguments->view);
   command->callback([arguments, exit_code] { *exit_code = RunRender(*arguments); });
 }
 

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/view_arguments.h"
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/run_arguments.h"
+
+namespace loopscope {
+
+void AddViewArguments(CLI::App* command, ViewArguments* arguments) {
+  command
+      ->add_option("--view", arguments->view,
+                   "What to draw:\n"
+                   "  map     all submaps at their optimized poses, and the way (default)\n"
+                   "  submap  one probability grid, its scans and its frame\n"
+                   "  update  what one scan hit and missed, and the odds before and after\n"
+                   "  match   one scan where it was predicted and where it was matched\n"
+                   "  search  one loop search: where it looked, and what it pruned\n"
+                   "  graph   nodes, submaps, constraints and residuals")
+      ->type_name("VIEW");
+  command->add_option("--node", arguments->node, "Node to show (update, match, search)")
+      ->type_name("N");
+  command->add_option("--submap", arguments->submap, "Submap to show (submap, update, search)")
+      ->type_name("M");
+  command
+      ->add_option("--layers", arguments->layers,
+                   "Draw only these layers of the view, e.g. grid,nodes,inter")
+      ->type_name("A,B,...")
+      ->delimiter(',');
+  command->add_option("--center", arguments->center, "Point in the middle [m], in the view's frame")
+      ->type_name("X,Y")
+      ->delimiter(',')
+      ->expected(2);
+  command->add_option("--width", arguments->width_in_meters, "Width of what is shown [m]")
+      ->type_name("METERS");
+  AddPictureArguments(command, &arguments->picture);
+}
+
+ViewRequest ToRequest(const ViewArguments& arguments, const Recording& recording) {
+  ViewRequest request;
+  request.view = ViewKindFromName(arguments.view);
+  if (arguments.node) request.node = NodeOf(recording, *arguments.node);
+  if (arguments.submap) request.submap = SubmapOf(recording, *arguments.submap);
+  if (!arguments.layers.empty()) {
+    request.layers.emplace();
+    for (const std::string& name : arguments.layers) {
+      request.layers->insert(LayerKindFromName(name));
+    }
+  }
+  if (!arguments.center.empty()) {
+    request.center = Eigen::Vector2d(arguments.center[0], arguments.center[1]);
+  }
+  request.width_in_meters = arguments.width_in_meters;
+  ApplyTo(arguments.picture, &request);
+  return request;
+}
+
+}  // namespace loopscope
