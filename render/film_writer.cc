@@ -92,7 +92,7 @@ class VideoFile : public FilmWriter {
   void Finish() override {
     video_.release();
     const int num_written =
-        static_cast<int>(cv::VideoCapture(beside_).get(cv::CAP_PROP_FRAME_COUNT));
+        static_cast<int>(cv::VideoCapture(beside_, cv::CAP_FFMPEG).get(cv::CAP_PROP_FRAME_COUNT));
     if (num_written != num_frames_) {
       throw FileError(path_, fmt::format("cannot be written: of {} frames {} arrived", num_frames_,
                                          num_written));
@@ -104,7 +104,8 @@ class VideoFile : public FilmWriter {
 
  private:
   void Open(const Picture& picture) {
-    if (!video_.open(beside_, codec_, frames_per_second_, {picture.width, picture.height})) {
+    if (!video_.open(beside_, cv::CAP_FFMPEG, codec_, frames_per_second_,
+                     {picture.width, picture.height})) {
       throw FileError(path_, fmt::format("the video library cannot write {}x{} at {} frames/s",
                                          picture.width, picture.height, frames_per_second_));
     }

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
+#include <cstdlib>
 #include <memory>
 #include <string>
 
@@ -46,6 +47,8 @@ int Shoot(const Recording& recording, const FilmArguments& arguments, const Step
 }
 
 int RunFilm(const FilmArguments& arguments) {
+  constexpr int kKeepIfSet = 0;
+  setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", kKeepIfSet);  // we tell ourselves what went wrong
   RequireFilmPath(arguments.output);  // before the work begins
   const Recording recording = ReadRun(arguments.run);
   const StepRange steps = ParseStepRange(arguments.steps, recording.num_steps());
