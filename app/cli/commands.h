@@ -13,6 +13,7 @@ namespace loopscope {
 void AddMapCommand(CLI::App* app, int* exit_code);
 void AddInfoCommand(CLI::App* app, int* exit_code);
 void AddRenderCommand(CLI::App* app, int* exit_code);
+void AddFilmCommand(CLI::App* app, int* exit_code);
 void AddSearchCommand(CLI::App* app, int* exit_code);
 void AddWhyCommand(CLI::App* app, int* exit_code);
 void AddLoopsCommand(CLI::App* app, int* exit_code);

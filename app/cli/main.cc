@@ -46,6 +46,7 @@ int main(int argc, char** argv) {
   loopscope::AddMapCommand(&app, &exit_code);
   loopscope::AddInfoCommand(&app, &exit_code);
   loopscope::AddRenderCommand(&app, &exit_code);
+  loopscope::AddFilmCommand(&app, &exit_code);
   loopscope::AddSearchCommand(&app, &exit_code);
   loopscope::AddWhyCommand(&app, &exit_code);
   loopscope::AddLoopsCommand(&app, &exit_code);

@@ -37,14 +37,16 @@ double ProgressBar::seconds() const {
 }
 
 void ProgressBar::Show(const MappingProgress& progress) {
-  const double share = static_cast<double>(progress.num_steps) / progress.num_scans;
-  const bool is_last = progress.num_steps == progress.num_scans;
-  const std::string counts =
-      fmt::format("{:3.0f} %  {}/{} scans  {} nodes  {} submaps  {} loops  {:.0f} scans/s",
-                  100.0 * share, progress.num_steps, progress.num_scans, progress.num_nodes,
-                  progress.num_submaps, progress.num_loops, progress.num_steps / seconds());
+  Show(progress.num_steps, progress.num_scans,
+       fmt::format("scans  {} nodes  {} submaps  {} loops  {:.0f} scans/s", progress.num_nodes,
+                   progress.num_submaps, progress.num_loops, progress.num_steps / seconds()));
+}
+
+void ProgressBar::Show(int done, int total, const std::string& what) {
+  const double share = static_cast<double>(done) / total;
+  const std::string counts = fmt::format("{:3.0f} %  {}/{} {}", 100.0 * share, done, total, what);
   if (is_terminal_) {
-    if (!is_last && Clock::now() - last_shown_ < kShowEvery) return;
+    if (done != total && Clock::now() - last_shown_ < kShowEvery) return;
     last_shown_ = Clock::now();
     fmt::print(stderr, "\r{} {}\x1b[K", Bar(share), counts);
   } else {

@@ -3,17 +3,20 @@
 #pragma once
 
 #include <chrono>
+#include <string>
 
 #include "app/mapping.h"
 
 namespace loopscope {
 
-/// Shows on stderr how far mapping has come: a bar on a terminal, else a line for every tenth.
+/// Shows on stderr how far long work has come: a bar on a terminal, else a line for every tenth.
 class ProgressBar {
  public:
   ProgressBar();
 
   void Show(const MappingProgress& progress);
+  /// `done` of `total` > 0 parts of the work, and `what` these are.
+  void Show(int done, int total, const std::string& what);
   /// Leaves what was shown last, and ends the line.
   void End();
 

@@ -104,6 +104,9 @@ std::vector<std::string> RenderArguments(const std::string& run, const ViewReque
   words.Add("--step", ValueOf(request.step));
   words.Add("--node", ValueOfId(request.node));
   words.Add("--submap", ValueOfId(request.submap));
+  words.Add("--visits", ValueOf(request.search.num_visits));
+  words.Add("--height", ValueOf(request.search.height));
+  words.Add("--angle", ValueOf(request.search.angle_index));
   words.Add("--layers", LayersOf(request));
   words.Add("--center", ValueOf(request.center));
   words.Add("--width", ValueOf(request.width_in_meters));

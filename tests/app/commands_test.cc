@@ -171,6 +171,25 @@ TEST_F(CommandTest, RenderRefusesWhatTheRecordingDoesNotHave) {
   ExpectRefused(render + "--size 320x240 -o none/a.png", "none/a.png: cannot be written");
 }
 
+TEST_F(CommandTest, FilmDrawsARangeOfStepsAsRenderDoes) {
+  const std::string view = " --view graph --size 400x300 --center 0,0 --width 20 ";
+  const ProgramRun run = Run("film run.loopscope --steps 10:99:40" + view + "-o frames");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out, "frames: 3 frames, 0.1 s\n");
+  ASSERT_EQ(Run("render run.loopscope --step 50" + view + "-o 50.png").exit_code, 0);
+  EXPECT_TRUE(ReadPng(folder_.Path("frames/frame_000001.png")) == ReadPng(folder_.Path("50.png")));
+  EXPECT_FALSE(Exists("frames/frame_000003.png"));
+}
+
+TEST_F(CommandTest, FilmRefusesWhatItCannotShoot) {
+  const std::string film = "film run.loopscope --size 320x240 ";
+  ExpectRefused(film + "--steps 0:100 -o a.mp4", "steps 0:100: expected FIRST:LAST");
+  ExpectRefused(film + "--steps 0:9 -o a.mov", "a.mov: expected a name that ends in .mp4");
+  ExpectRefused(film + "--steps 0:9 -o none/a.mp4", "none/a.mp4: cannot be written");
+  ExpectRefused(film + "--steps 0:9 --fps 0 -o a.mp4", "--fps");
+  EXPECT_FALSE(Exists("a.mp4"));
+}
+
 TEST_F(CommandTest, SearchPrintsNumbersAndTreeAndDraws) {
   const ProgramRun run =
       Run("search run.loopscope --node 50 --submap 0 --min-score 0.1 -o s.png --size 400x300");

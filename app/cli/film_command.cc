@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdlib>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "app/cli/commands.h"
+#include "app/cli/progress_bar.h"
+#include "app/cli/run_arguments.h"
+#include "app/cli/view_arguments.h"
+#include "render/film.h"
+#include "render/film_writer.h"
+
+namespace loopscope {
+namespace {
+
+struct FilmArguments {
+  std::string run;
+  std::string steps;
+  std::string output;
+  double frames_per_second = 25.0;
+  ViewArguments view;
+};
+
+/// Returns the number of frames; fewer than there are steps if the user interrupted it.
+int Shoot(const Recording& recording, const FilmArguments& arguments, const StepRange& steps) {
+  GridCache cache(recording);
+  Painter painter(BackendFromName(arguments.view.picture.backend));
+  ViewRequest request =
+      WithCameraOf(&cache, ToRequest(arguments.view, recording), steps.step(steps.count() - 1));
+  const auto film = MakeFilmWriter(arguments.output, arguments.frames_per_second);
+  const InterruptGuard guard;
+  ProgressBar bar;
+  int done = 0;
+  while (done < steps.count() && !(done > 0 && InterruptGuard::interrupted())) {
+    request.step = steps.step(done);
+    film->Add(painter.Draw(&cache, request));
+    ++done;
+    bar.Show(done, steps.count(), fmt::format("frames  {:.1f} frames/s", done / bar.seconds()));
+  }
+  bar.End();
+  film->Finish();
+  return done;
+}
+
+int RunFilm(const FilmArguments& arguments) {
+  constexpr int kKeepIfSet = 0;
+  setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", kKeepIfSet);  // we tell ourselves what went wrong
+  RequireFilmPath(arguments.output);  // before the work begins
+  const Recording recording = ReadRun(arguments.run);
+  const StepRange steps = ParseStepRange(arguments.steps, recording.num_steps());
+  const int num_frames = Shoot(recording, arguments, steps);
+  fmt::print("{}: {} frames, {:.1f} s\n", arguments.output, num_frames,
+             num_frames / arguments.frames_per_second);
+  if (num_frames == steps.count()) return 0;
+  fmt::print(stderr, "loopscope: interrupted; {} holds the frames until then\n", arguments.output);
+  return 1;
+}
+
+}  // namespace
+
+void AddFilmCommand(CLI::App* app, int* exit_code) {
+  CLI::App* const command =
+      app->add_subcommand("film", "Film how a recording came about, without a display");
+  const auto arguments = std::make_shared<FilmArguments>();
+  AddRunArgument(command, &arguments->run);
+  command
+      ->add_option("--steps", arguments->steps,
+                   "Scans to show, every STRIDE-th, e.g. 0:500, or ::10 for every tenth of all")
+      ->required()
+      ->type_name("FIRST:LAST[:STRIDE]");
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "Video to write, .mp4 or .avi, or folder for frame_000000.png and so on")
+      ->required()
+      ->type_name("FILE");
+  command->add_option("--fps", arguments->frames_per_second, "Frames per second of a video")
+      ->check(CLI::Range(1.0, 120.0))
+      ->capture_default_str()
+      ->type_name("N");
+  AddViewArguments(command, &arguments->view);
+  command->callback([arguments, exit_code] { *exit_code = RunFilm(*arguments); });
+}
+
+}  // namespace loopscope
