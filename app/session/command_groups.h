@@ -17,6 +17,7 @@ std::vector<Command> EditCommands();
 std::vector<Command> StepCommands();
 std::vector<Command> ViewCommands();
 std::vector<Command> SelectionCommands();
+std::vector<Command> SearchCommands();
 std::vector<Command> ListCommands();
 std::vector<Command> HelpCommands();
 

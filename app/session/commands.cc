@@ -15,7 +15,7 @@ namespace {
 std::vector<Command> AllCommands() {
   std::vector<Command> all;
   for (const auto& group : {FileCommands, EditCommands, StepCommands, ViewCommands,
-                            SelectionCommands, ListCommands, HelpCommands}) {
+                            SelectionCommands, SearchCommands, ListCommands, HelpCommands}) {
     for (Command& command : group()) all.push_back(std::move(command));
   }
   return all;

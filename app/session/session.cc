@@ -43,6 +43,7 @@ void Session::Append(const SlamUpdate& update) {
 }
 
 void Session::Change(const std::string& what, SessionState state) {
+  if (state.node != state_.node || state.submap != state_.submap) state.search = SearchFilter();
   if (state == state_) return;
   const bool goes_on = !undone_from_.empty() && undone_from_.back().what == what &&
                        redone_from_.empty() && !what.empty();
@@ -76,6 +77,7 @@ ViewRequest Session::RequestOf(int tile) const {
   const auto settings = state_.views.find(request.view);
   if (settings == state_.views.end()) return request;
   request.layers = settings->second.layers;
+  request.opacities = settings->second.opacities;
   if (settings->second.camera) {
     request.center = settings->second.camera->center;
     request.width_in_meters = settings->second.camera->width_in_meters;
@@ -109,6 +111,7 @@ void Session::SelectForStep(ViewRequest* request) const {
     case ViewKind::kSearch:
       request->node = state_.node;
       request->submap = state_.submap;
+      request->search = state_.search;
       break;
   }
 }

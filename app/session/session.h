@@ -37,7 +37,7 @@ class Session {
   int last_step() const { return has_recording() ? recording_->num_steps() - 1 : -1; }
 
   const SessionState& state() const { return state_; }
-  /// Replaces the state. Consecutive changes of the same `what`, such as steps, are undone at once.
+  /// Replaces the state; with another pair, all of its search is shown again. Consecutive changes of the same `what`, such as steps, are undone at once.
   void Change(const std::string& what, SessionState state);
   bool can_undo() const { return !undone_from_.empty(); }
   bool can_redo() const { return !redone_from_.empty(); }

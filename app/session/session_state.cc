@@ -12,7 +12,7 @@ bool operator==(const ViewCamera& a, const ViewCamera& b) {
 }
 
 bool operator==(const ViewSettings& a, const ViewSettings& b) {
-  return a.layers == b.layers && a.camera == b.camera;
+  return a.layers == b.layers && a.opacities == b.opacities && a.camera == b.camera;
 }
 
 bool operator==(const TableSettings& a, const TableSettings& b) {
@@ -21,7 +21,8 @@ bool operator==(const TableSettings& a, const TableSettings& b) {
 
 bool operator==(const SessionState& a, const SessionState& b) {
   const auto fields = [](const SessionState& s) {
-    return std::tie(s.step, s.tiles, s.active_tile, s.node, s.submap, s.views, s.tables, s.theme);
+    return std::tie(s.step, s.tiles, s.active_tile, s.node, s.submap, s.search.num_visits,
+                    s.search.height, s.search.angle_index, s.views, s.tables, s.theme);
   };
   return fields(a) == fields(b);
 }

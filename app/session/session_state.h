@@ -25,6 +25,7 @@ bool operator==(const ViewCamera& a, const ViewCamera& b);
 /// How a view is drawn, wherever it is shown.
 struct ViewSettings {
   std::optional<std::set<LayerKind>> layers;  ///< the view's own if left out
+  std::map<LayerKind, double> opacities;      ///< in [0, 1]; 1 if left out
   std::optional<ViewCamera> camera;           ///< all of the map if left out
 };
 bool operator==(const ViewSettings& a, const ViewSettings& b);
@@ -50,6 +51,7 @@ struct SessionState {
   int active_tile = 0;
   std::optional<NodeId> node;      ///< selected,
   std::optional<SubmapId> submap;  ///< likewise; with both, the pair of them
+  SearchFilter search;             ///< of the search of the pair
   std::map<ViewKind, ViewSettings> views;
   /// Most pairs are skipped by sampling: they are not listed unless asked for.
   std::map<TableKind, TableSettings> tables{

@@ -49,16 +49,33 @@ void SelectTile(const std::string& argument, SessionState* state) {
   state->active_tile = tile;
 }
 
+LayerKind LayerOf(ViewKind view, const std::string& name) {
+  const LayerKind layer = LayerKindFromName(name);
+  if (LayersOf(view).count(layer) > 0) return layer;
+  throw std::invalid_argument("view " + ToString(view) + " has no layer '" + name + "'");
+}
+
 void ToggleLayer(const std::string& argument, SessionState* state) {
   const ViewKind view = ActiveView(*state);
-  const LayerKind layer = LayerKindFromName(argument);
-  if (LayersOf(view).count(layer) == 0) {
-    throw std::invalid_argument("view " + ToString(view) + " has no layer '" + argument + "'");
-  }
+  const LayerKind layer = LayerOf(view, argument);
   auto& layers = state->views[view].layers;
   if (!layers) layers = DefaultLayersOf(view);
   if (layers->erase(layer) == 0) layers->insert(layer);
   if (*layers == DefaultLayersOf(view)) layers.reset();
+}
+
+/// "grid 0.4"
+void SetOpacity(const std::string& argument, SessionState* state) {
+  const std::size_t space = std::min(argument.find(' '), argument.size());
+  const ViewKind view = ActiveView(*state);
+  const LayerKind layer = LayerOf(view, argument.substr(0, space));
+  const double opacity =
+      NumberArgument("layer.opacity", argument.substr(std::min(space + 1, argument.size())));
+  if (!(opacity >= 0.0 && opacity <= 1.0)) {
+    throw std::invalid_argument("layer.opacity " + argument + ": expected 0 to 1");
+  }
+  state->views[view].opacities[layer] = opacity;
+  if (opacity == 1.0) state->views[view].opacities.erase(layer);
 }
 
 void SetCamera(const std::string& argument, SessionState* state) {
@@ -75,9 +92,14 @@ std::vector<Command> LayerAndCameraCommands() {
                    [](const Session&, const std::string& argument, SessionState* state) {
                      ToggleLayer(argument, state);
                    }),
+      StateCommand({"layer.opacity", "How much a layer covers", "", {}, "NAME SHARE", Always, {}},
+                   [](const Session&, const std::string& argument, SessionState* state) {
+                     SetOpacity(argument, state);
+                   }),
       StateCommand({"layer.reset", "Layers as they were", "View", {}, "", Always, {}},
                    [](const Session&, const std::string&, SessionState* state) {
                      state->views[ActiveView(*state)].layers.reset();
+                     state->views[ActiveView(*state)].opacities.clear();
                    }),
       StateCommand({"camera.set", "Look at", "", {}, "X Y WIDTH", Always, {}},
                    [](const Session&, const std::string& argument, SessionState* state) {

@@ -21,6 +21,8 @@ class LayersPanel : public QTreeWidget {
   void Show(const Session& session);
 
  private:
+  void List(ViewKind view);
+
   RunLine run_;
   std::optional<ViewKind> view_;
   bool is_showing_ = false;

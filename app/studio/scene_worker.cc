@@ -5,9 +5,23 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/slam/derive.h"
 #include "render/grid_cache.h"
+#include "render/views/selection.h"
 
 namespace loopscope {
+
+namespace {
+
+SearchSize SearchSizeOf(const Recording& recording, const ViewRequest& request) {
+  const auto [submap, node] = SearchedPairOf(recording, request);
+  const auto search = ReplaySearch(recording, submap, node);
+  if (!search || search->trace.nodes.empty()) return {};
+  return {static_cast<int>(search->trace.visits.size()), search->trace.nodes.front().height,
+          search->trace.window.num_angular_steps};
+}
+
+}  // namespace
 
 bool operator==(const ReportSubject& a, const ReportSubject& b) {
   return a.step == b.step && a.node == b.node && a.submap == b.submap;
@@ -130,9 +144,14 @@ bool SceneWorker::WorkOnce(Workplace* place) {
 }
 
 void SceneWorker::Draw(int tile, const Job& job, int run, Workplace* place) {
-  DrawnScene drawn{job.request, std::nullopt, ""};
+  DrawnScene drawn;
+  drawn.request = job.request;
   try {
     drawn.scene = BuildScene(place->cache.get(), job.request, job.device_pixels);
+    drawn.inspector.emplace(*place->recording, job.request, *drawn.scene);
+    if (job.request.view == ViewKind::kSearch) {
+      drawn.search = SearchSizeOf(*place->recording, job.request);
+    }
   } catch (const std::invalid_argument& error) {
     drawn.error = error.what();
   }

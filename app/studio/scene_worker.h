@@ -15,15 +15,25 @@
 
 #include "app/session/inspection_report.h"
 #include "core/slam/recording.h"
+#include "render/inspection.h"
 #include "render/scene.h"
 #include "render/view.h"
 
 namespace loopscope {
 
+/// How much there is of a search.
+struct SearchSize {
+  int num_visits = 0;
+  int root_height = 0;
+  int num_angular_steps = 0;
+};
+
 /// A picture that was asked for.
 struct DrawnScene {
   ViewRequest request;
   std::optional<Scene> scene;
+  std::optional<Inspector> inspector;  ///< of the scene
+  std::optional<SearchSize> search;    ///< if it shows one
   std::string error;  ///< why there is none: what the request asks for does not exist
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include <QHBoxLayout>
+#include <QToolTip>
 #include <QVBoxLayout>
 #include <fmt/format.h>
 
@@ -37,6 +38,13 @@ Tile::Tile(int index, SceneWorker* worker, RunLine run, QWidget* parent)
   bar->setContentsMargins(6, 4, 6, 4);
   bar->addWidget(kinds_);
   bar->addWidget(message_, 1);
+  search_ = new SearchBar(
+      [this](const std::string& line) {
+        Activate();
+        run_(line);
+      },
+      this);
+  bar->addWidget(search_, 3);
   auto* const column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
@@ -51,7 +59,7 @@ Tile::Tile(int index, SceneWorker* worker, RunLine run, QWidget* parent)
     Activate();
     run_(fmt::format("camera.set {} {} {}", x, y, width));
   });
-  connect(view_, &ViewWidget::Clicked, this, [this](const QPoint&) { Activate(); });
+  connect(view_, &ViewWidget::Clicked, this, &Tile::Select);
   connect(view_, &ViewWidget::DoubleClicked, this, [this](const QPoint&) {
     Activate();
     run_("camera.fit");
@@ -70,6 +78,8 @@ void Tile::Show(const Session& session) {
   QFont font = kinds_->font();
   font.setBold(is_active);
   kinds_->setFont(font);
+  search_->setVisible(kind == ViewKind::kSearch);
+  search_->Show(search_size_, session.state().search);
   if (!session.has_steps() || !isVisible()) return;
   ViewRequest request = session.RequestOf(index_);
   constexpr int kMinWidth = 320, kMinHeight = 240;  // of a picture
@@ -88,19 +98,62 @@ void Tile::TakeScene() {
   if (!drawn->scene) return;
   const bool same_view = shown_ && shown_->view == drawn->request.view;
   shown_ = drawn->request;
+  inspector_ = std::move(drawn->inspector);
+  if (drawn->search) {
+    search_size_ = *drawn->search;
+    search_->Show(search_size_, drawn->request.search);
+  }
   view_->Show(std::move(*drawn->scene), same_view);
 }
 
 void Tile::Forget() {
   asked_.reset();
   shown_.reset();
+  inspector_.reset();
+}
+
+std::optional<Finding> Tile::FindAt(const QPoint& position) const {
+  constexpr double kReach = 6.0;  // [px]
+  const auto place = view_->PlaceAt(position);
+  if (!place || !inspector_) return std::nullopt;
+  return inspector_->WhatIsAt(place->panel, place->point, kReach * place->meters_per_pixel);
 }
 
 void Tile::Hover(const QPoint& position) {
   const auto place = view_->PlaceAt(position);
-  emit Pointed(place ? QString::fromStdString(
-                           fmt::format("{:.2f} m, {:.2f} m", place->point.x(), place->point.y()))
-                     : QString());
+  const std::string text =
+      place && place->is_map
+          ? fmt::format("{:.2f} m, {:.2f} m", place->point.x(), place->point.y())
+          : "";
+  emit Pointed(QString::fromStdString(text));
+  const std::optional<Finding> finding = FindAt(position);
+  if (!finding || finding->facts.empty()) {
+    QToolTip::hideText();
+    return;
+  }
+  QString rows;
+  for (const Fact& fact : finding->facts) {
+    rows += QString("<tr><td>%1&nbsp;&nbsp;</td><td align=right><b>%2</b></td></tr>")
+                .arg(QString::fromStdString(fact.name).toHtmlEscaped(),
+                     QString::fromStdString(fact.value).toHtmlEscaped());
+  }
+  QToolTip::showText(view_->mapToGlobal(position), "<table>" + rows + "</table>", view_);
+}
+
+void Tile::Select(const QPoint& position) {
+  Activate();
+  const std::optional<Finding> finding = FindAt(position);
+  if (!finding || !shown_) return;
+  const bool is_of_map = shown_->view == ViewKind::kMap || shown_->view == ViewKind::kGraph ||
+                         shown_->view == ViewKind::kSubmap;
+  if (!is_of_map) return;
+  if (finding->node && finding->submap && shown_->view != ViewKind::kSubmap) {
+    run_(fmt::format("select.pair {} {}", finding->node->index, finding->submap->index));
+  } else if (finding->node) {
+    run_(fmt::format("select.node {}", finding->node->index));
+  } else if (finding->submap) {
+    run_(fmt::format("select.submap {}", finding->submap->index));
+  }
 }
 
 }  // namespace loopscope

@@ -11,6 +11,7 @@
 
 #include "app/session/session.h"
 #include "app/studio/scene_worker.h"
+#include "app/studio/search_bar.h"
 #include "app/studio/view_widget.h"
 
 namespace loopscope {
@@ -43,15 +44,21 @@ class Tile : public QWidget {
  private:
   void Activate();
   void Hover(const QPoint& position);
+  /// Selects what was clicked at, where that is a thing of the whole map.
+  void Select(const QPoint& position);
+  std::optional<Finding> FindAt(const QPoint& position) const;
 
   int index_;
   SceneWorker* worker_;
   RunLine run_;
   QComboBox* kinds_;
   QLabel* message_;
+  SearchBar* search_;
   ViewWidget* view_;
   std::optional<ViewRequest> asked_;
   std::optional<ViewRequest> shown_;
+  std::optional<Inspector> inspector_;  // of what is shown
+  SearchSize search_size_;              // likewise
 };
 
 }  // namespace loopscope

@@ -91,7 +91,8 @@ std::optional<ViewWidget::Place> ViewWidget::PlaceAt(const QPoint& position) con
     if (!Contains(panel.frame, pixel)) continue;
     const Eigen::Vector2d middle(panel.frame.center_x(), panel.frame.center_y());
     const double scale = panel.camera.meters_per_pixel;
-    return Place{static_cast<int>(i), panel.camera.center + scale * (pixel - middle), scale};
+    return Place{static_cast<int>(i), panel.camera.center + scale * (pixel - middle), scale,
+                 panel.is_map};
   }
   return std::nullopt;
 }

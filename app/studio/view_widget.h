@@ -33,6 +33,7 @@ class ViewWidget : public QVTKOpenGLNativeWidget {
     int panel = 0;
     Eigen::Vector2d point;          ///< in the panel's coordinates
     double meters_per_pixel = 0.0;  ///< of the screen
+    bool is_map = true;             ///< the coordinates are metres
   };
   std::optional<Place> PlaceAt(const QPoint& position) const;
 

@@ -63,12 +63,4 @@ int SearchPart::last() const {
   return filter_.num_visits && num_visits_ > 0 ? trace_.visits[num_visits_ - 1] : -1;
 }
 
-int AngleIndexNear(const SearchWindow& window, double angle) {
-  const double index = std::round(angle / window.angular_step);
-  if (std::abs(index) <= window.num_angular_steps) return static_cast<int>(index);
-  const double limit = RadiansToDegrees(window.num_angular_steps * window.angular_step);
-  throw std::invalid_argument(fmt::format("angle {:g}° of the search: expected {:.2f}° to {:.2f}°",
-                                          RadiansToDegrees(angle), -limit, limit));
-}
-
 }  // namespace loopscope

@@ -52,8 +52,4 @@ class SearchPart {
   std::vector<int> visit_of_;  // place in SearchTrace::visits, by node
 };
 
-/// The index of the angle of `window` nearest to `angle` [rad] from the guess. Throws
-/// std::invalid_argument if it is not in the window.
-int AngleIndexNear(const SearchWindow& window, double angle);
-
 }  // namespace loopscope

@@ -126,13 +126,13 @@ TEST_F(CommandTest, RenderDrawsLayersAsClearAsAsked) {
 
 TEST_F(CommandTest, RenderDrawsAPartOfASearch) {
   const std::string render = "render run.loopscope --view search --node 50 --submap 0 ";
-  for (const std::string part : {"--visits 3", "--height 2", "--angle 0.2"}) {
+  for (const std::string part : {"--visits 3", "--height 2", "--angle 1"}) {
     const ProgramRun run = Run(render + "--size 400x300 -o part.png " + part);
     EXPECT_EQ(run.exit_code, 0) << run.err;
   }
   ExpectRefused(render + "--visits -1", "visits -1 of the search: expected 0 to ");
   ExpectRefused(render + "--height 7", "height 7 of the search: expected 0 to 6");
-  ExpectRefused(render + "--angle 200", "angle 200° of the search: expected -");
+  ExpectRefused(render + "--angle 200", "angle index 200 of the search: expected -");
   ExpectRefused("render run.loopscope --angle 1", "view map has no visits, heights or angles");
 }
 

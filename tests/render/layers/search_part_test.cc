@@ -94,14 +94,5 @@ TEST(SearchPartTest, RefusesWhatTheSearchDoesNotHave) {
             "angle index -3 of the search: expected -2 to 2");
 }
 
-TEST(AngleIndexNearTest, IsTheNearestOfTheWindow) {
-  const SearchWindow window = SmallTrace().window;
-  EXPECT_EQ(AngleIndexNear(window, DegreesToRadians(0.6)), 1);
-  EXPECT_EQ(AngleIndexNear(window, DegreesToRadians(-0.8)), -2);
-  EXPECT_EQ(AngleIndexNear(window, 0.0), 0);
-  EXPECT_EQ(MessageOf([&] { AngleIndexNear(window, DegreesToRadians(1.5)); }),
-            "angle 1.5° of the search: expected -1.00° to 1.00°");
-}
-
 }  // namespace
 }  // namespace loopscope
