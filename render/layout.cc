@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include <fmt/format.h>
+
 namespace loopscope {
 namespace {
 
@@ -128,9 +130,11 @@ void PlaceColumn(const Annotation& annotation, Box* area, Layout* layout) {
 
 SheetSize MakeSheetSize(int width, int height, int oversampling,
                         std::optional<int> text_height) {
-  if (width < 320 || height < 240 || width > 8192 || height > 8192) {
-    throw std::invalid_argument("size " + std::to_string(width) + "x" + std::to_string(height) +
-                                ": expected a picture between 320x240 and 8192x8192");
+  if (width < kMinPictureWidth || height < kMinPictureHeight || width > kMaxPictureSide ||
+      height > kMaxPictureSide) {
+    throw std::invalid_argument(fmt::format(
+        "size {}x{}: expected a picture between {}x{} and {}x{}", width, height, kMinPictureWidth,
+        kMinPictureHeight, kMaxPictureSide, kMaxPictureSide));
   }
   const double shorter = std::min<double>(height, 0.75 * width);
   const double fitting = std::max(8.0, 3.2 + 0.0135 * shorter);

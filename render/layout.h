@@ -11,6 +11,10 @@
 
 namespace loopscope {
 
+constexpr int kMinPictureWidth = 200;   ///< [px]
+constexpr int kMinPictureHeight = 150;  ///< [px]
+constexpr int kMaxPictureSide = 8192;   ///< [px]
+
 /// Pixels of a picture and how large its text and strokes are.
 struct SheetSize {
   int width = 0;      ///< [px]
@@ -20,7 +24,8 @@ struct SheetSize {
 };
 
 /// The size of a picture of width x height that is drawn with `oversampling` times as many pixels
-/// in each direction. Text is `text_height` high [px], or as fits the picture. Throws std::invalid_argument unless it is between 320x240 and 8192x8192.
+/// in each direction. Text is `text_height` high [px], or as fits the picture. Throws
+/// std::invalid_argument unless it is between the limits of a picture.
 SheetSize MakeSheetSize(int width, int height, int oversampling,
                         std::optional<int> text_height = std::nullopt);
 

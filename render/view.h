@@ -27,8 +27,8 @@ struct ViewRequest {
   std::optional<NodeId> node;
   std::optional<SubmapId> submap;  ///< likewise of submap, update and search; in map and graph
   SearchFilter search;             ///< for search only
-  int width = 1280;                ///< [px], 320 or more
-  int height = 720;                ///< [px], 240 or more
+  int width = 1280;                ///< [px], kMinPictureWidth or more
+  int height = 720;                ///< [px], likewise
   Theme theme = Theme::kDefault;
   std::string title;                          ///< instead of the view's own
   std::optional<std::set<LayerKind>> layers;  ///< those to draw, a part of LayersOf(view)

@@ -12,14 +12,14 @@
 #include <QPushButton>
 
 #include "app/session/render_command_line.h"
+#include "render/layout.h"
 
 namespace loopscope {
 namespace {
 
 QSpinBox* PixelBox(int low, int value, QWidget* parent) {
-  constexpr int kMaxSide = 8192;
   auto* const box = new QSpinBox(parent);
-  box->setRange(low, kMaxSide);
+  box->setRange(low, kMaxPictureSide);
   box->setSuffix(" px");
   box->setValue(value);
   return box;
@@ -31,8 +31,8 @@ ExportDialog::ExportDialog(const ViewRequest& request, std::string run, QWidget*
     : QDialog(parent),
       request_(request),
       run_(std::move(run)),
-      width_(PixelBox(320, request.width, this)),
-      height_(PixelBox(240, request.height, this)),
+      width_(PixelBox(kMinPictureWidth, request.width, this)),
+      height_(PixelBox(kMinPictureHeight, request.height, this)),
       path_(new QLineEdit(DefaultPath(), this)),
       command_line_(new QPlainTextEdit(this)) {
   setWindowTitle("Export the picture");

@@ -267,12 +267,18 @@ void MainWindow::ArrangeTiles() {
   const std::size_t count = session_.state().tiles.size();
   if (count != num_tiles_shown_) {
     num_tiles_shown_ = count;
+    for (const int i : {0, 1}) {
+      grid_->setRowStretch(i, 0);
+      grid_->setColumnStretch(i, 0);
+    }
     for (std::size_t i = 0; i < tiles_.size(); ++i) {
       grid_->removeWidget(tiles_[i]);
       tiles_[i]->setVisible(i < count);
       if (i >= count) continue;
       const int row = static_cast<int>(i) / 2, column = static_cast<int>(i) % 2;
       grid_->addWidget(tiles_[i], row, column);
+      grid_->setRowStretch(row, 1);
+      grid_->setColumnStretch(column, 1);
     }
   }
   for (std::size_t i = 0; i < count; ++i) tiles_[i]->Show(session_);

@@ -18,7 +18,7 @@ QString PartText(const char* name, const std::optional<int>& value, int count) {
 SearchBar::SearchBar(std::function<void(const std::string&)> run, QWidget* parent)
     : QWidget(parent), run_(std::move(run)) {
   auto* const row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
+  row->setContentsMargins(6, 0, 6, 4);
   visits_ = Add("search.visits", true);
   height_ = Add("search.height", false);
   angle_ = Add("search.angle", false);
@@ -30,7 +30,7 @@ SearchBar::SearchBar(std::function<void(const std::string&)> run, QWidget* paren
 SearchBar::Part SearchBar::Add(const char* command, bool all_is_right) {
   Part part;
   part.label = new QLabel(this);
-  part.label->setMinimumWidth(110);
+  part.label->setMinimumWidth(80);
   part.label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   part.slider = new QSlider(Qt::Horizontal, this);
   part.slider->setFocusPolicy(Qt::NoFocus);

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "app/session/commands.h"
+#include "render/layout.h"
 
 namespace loopscope {
 namespace {
@@ -44,11 +45,11 @@ Tile::Tile(int index, SceneWorker* worker, RunLine run, QWidget* parent)
         run_(line);
       },
       this);
-  bar->addWidget(search_, 3);
   auto* const column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addLayout(bar);
+  column->addWidget(search_);
   column->addWidget(view_, 1);
 
   connect(kinds_, QOverload<int>::of(&QComboBox::activated), this, [this](int i) {
@@ -82,9 +83,8 @@ void Tile::Show(const Session& session) {
   search_->Show(search_size_, session.state().search);
   if (!session.has_steps() || !isVisible()) return;
   ViewRequest request = session.RequestOf(index_);
-  constexpr int kMinWidth = 320, kMinHeight = 240;  // of a picture
-  request.width = std::max(kMinWidth, view_->width());
-  request.height = std::max(kMinHeight, view_->height());
+  request.width = std::max(kMinPictureWidth, view_->width());
+  request.height = std::max(kMinPictureHeight, view_->height());
   request.text_height = kTextHeight;
   if (asked_ == request) return;
   asked_ = request;

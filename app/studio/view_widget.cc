@@ -33,7 +33,7 @@ ViewWidget::ViewWidget(QWidget* parent) : QVTKOpenGLNativeWidget(parent) {
   interactor()->SetInteractorStyle(nullptr);
   setMouseTracking(true);
   setFocusPolicy(Qt::ClickFocus);
-  setMinimumSize(160, 120);
+  setMinimumSize(160, 100);
   rest_.setSingleShot(true);
   rest_.setInterval(kRestMilliseconds);
   connect(&rest_, &QTimer::timeout, this, &ViewWidget::TellRest);

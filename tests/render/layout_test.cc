@@ -145,11 +145,11 @@ TEST(SheetSizeTest, OversamplingScalesEverything) {
 }
 
 TEST(SheetSizeTest, RefusesSizesThatCannotBeDrawn) {
-  EXPECT_THROW(MakeSheetSize(319, 240, 1), std::invalid_argument);
-  EXPECT_THROW(MakeSheetSize(320, 239, 1), std::invalid_argument);
+  EXPECT_THROW(MakeSheetSize(199, 150, 1), std::invalid_argument);
+  EXPECT_THROW(MakeSheetSize(200, 149, 1), std::invalid_argument);
   EXPECT_THROW(MakeSheetSize(8193, 240, 1), std::invalid_argument);
   EXPECT_EQ(MessageOf([] { MakeSheetSize(10, 10, 1); }),
-            "size 10x10: expected a picture between 320x240 and 8192x8192");
+            "size 10x10: expected a picture between 200x150 and 8192x8192");
 }
 
 }  // namespace

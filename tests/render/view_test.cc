@@ -53,7 +53,7 @@ std::string WhyRefused(const ViewRequest& request) {
 
 TEST(BuildSceneTest, EveryViewFillsItsPanelsAtAnySizeAndAnyStep) {
   for (const ViewKind view : kAllViews) {
-    for (const auto& [width, height] : {std::pair{320, 240}, {3840, 2160}}) {
+    for (const auto& [width, height] : {std::pair{200, 150}, {320, 240}, {3840, 2160}}) {
       for (const int step : {130, 215}) {
         ViewRequest request = RequestFor(view);
         request.width = width;
