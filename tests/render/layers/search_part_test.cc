@@ -96,6 +96,7 @@ TEST(SearchPartTest, RefusesWhatTheSearchDoesNotHave) {
 
 TEST(AngleIndexNearTest, IsTheNearestOfTheWindow) {
   const SearchWindow window = SmallTrace().window;
+  EXPECT_EQ(AngleIndexNear(window, DegreesToRadians(0.9)), 2);
   EXPECT_EQ(AngleIndexNear(window, DegreesToRadians(0.6)), 1);
   EXPECT_EQ(AngleIndexNear(window, DegreesToRadians(-0.8)), -2);
   EXPECT_EQ(AngleIndexNear(window, 0.0), 0);
