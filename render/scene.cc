@@ -69,12 +69,18 @@ void LookDown(const FlatCamera& flat, double height, vtkRenderer* renderer) {
   camera->SetClippingRange(0.1, 2.0);
 }
 
+void SetMoving(const Panel& panel, bool moving) {
+  const auto hidden = moving ? LayerProp::When::kAtRest : LayerProp::When::kMoving;
+  for (const LayerProp& layer : panel.props) layer.prop->SetVisibility(layer.when != hidden);
+}
+
 void FillRenderer(const Panel& panel, vtkRenderer* renderer) {
   SetBackground(panel.canvas, renderer);
   // By default VTK averages translucent colours regardless of their order; these steps blend each
   // prop over those before it.
   vtkNew<vtkRenderStepsPass> steps;
   renderer->SetPass(steps);
+  SetMoving(panel, false);
   for (const LayerProp& layer : panel.props) renderer->AddViewProp(layer.prop);
   LookDown(panel.camera, panel.frame.height, renderer);
 }

@@ -37,8 +37,12 @@ using Props = std::vector<vtkSmartPointer<vtkProp>>;
 
 /// A part of a panel.
 struct LayerProp {
+  /// Where drawing takes long, a cheaper stand-in is drawn while the camera moves.
+  enum class When { kAlways, kAtRest, kMoving };
+
   vtkSmartPointer<vtkProp> prop;
   LayerKind kind = LayerKind::kGrid;
+  When when = When::kAlways;
 };
 
 /// A map with its own camera. It is drawn from the bottom to the top: `props` in their order, then
@@ -66,10 +70,14 @@ struct Scene {
 
 /// Makes `renderer` show what the camera sees in a panel of `height` pixels.
 void LookDown(const FlatCamera& camera, double height, vtkRenderer* renderer);
+
 /// The whole picture as the panel beneath the others: its paper and its annotation, in pixels.
 Panel SheetOf(const Scene& scene);
 
-/// Fills `renderer` with a panel, its camera included.
+/// Shows those parts of a panel that are drawn while its camera moves, or while it is at rest.
+void SetMoving(const Panel& panel, bool moving);
+
+/// Fills `renderer` with a panel at rest, its camera included.
 void FillRenderer(const Panel& panel, vtkRenderer* renderer);
 
 /// Fills `window` with the scene, in place of what it showed. The window should have the size of

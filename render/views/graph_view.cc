@@ -135,28 +135,50 @@ void DrawLinks(const Graph& graph, const Highlight& highlight, Sheet* sheet) {
   });
 }
 
+/// Adds what `draw` makes of `constraints`, and if they are many of some of them for the moving
+/// camera.
+template <typename Draw>
+void AddLines(LayerKind kind, const std::vector<PlacedConstraint>& constraints, const Draw& draw,
+              Sheet* sheet) {
+  constexpr int kMany = 3000;
+  constexpr int kMaxMoving = 1000;
+  if (constraints.size() <= kMany) {
+    sheet->Add(0, kind, [&] { return draw(constraints); });
+    return;
+  }
+  sheet->Add(
+      0, kind, [&] { return draw(constraints); }, Sheet::When::kAtRest);
+  sheet->Add(
+      0, kind, [&] { return draw(Thinned(constraints, kMaxMoving)); }, Sheet::When::kMoving);
+}
+
 /// `dimming` in [0, 1] multiplies the opacity of the lines between submaps and nodes.
 void DrawConstraints(const Graph& graph, double dimming, Sheet* sheet) {
+  using Lines = std::vector<PlacedConstraint>;
   const Palette& palette = sheet->palette();
-  sheet->Add(0, LayerKind::kIntra, [&] {
-    return IntraConstraintsLayer(graph.intra, dimming * OpacityOfMany(graph.intra.size() / 4),
+  const auto intra = [&](const Lines& lines) {
+    return IntraConstraintsLayer(lines, dimming * OpacityOfMany(lines.size() / 4),
                                  sheet->Px(widths::kHairline));
-  });
-  sheet->Add(0, LayerKind::kRefused, [&] {
-    return InterConstraintsLayer(graph.refused, WithOpacity(palette.refused, dimming),
+  };
+  const auto refused = [&](const Lines& lines) {
+    return InterConstraintsLayer(lines, WithOpacity(palette.refused, dimming),
                                  sheet->Px(widths::kHairline));
-  });
-  sheet->Add(0, LayerKind::kInter, [&] {
-    return InterConstraintsLayer(
-        graph.inter, WithOpacity(palette.inter, dimming * OpacityOfMany(graph.inter.size())),
-        sheet->Px(widths::kThin));
-  });
-  sheet->Add(0, LayerKind::kResiduals, [&] {
-    return ResidualsLayer(graph.intra, palette.intra_residual, sheet->Px(widths::kLine));
-  });
-  sheet->Add(0, LayerKind::kResiduals, [&] {
-    return ResidualsLayer(graph.inter, palette.inter_residual, sheet->Px(widths::kBold));
-  });
+  };
+  const auto inter = [&](const Lines& lines) {
+    const Color color = WithOpacity(palette.inter, dimming * OpacityOfMany(lines.size()));
+    return InterConstraintsLayer(lines, color, sheet->Px(widths::kThin));
+  };
+  const auto intra_residuals = [&](const Lines& lines) {
+    return ResidualsLayer(lines, palette.intra_residual, sheet->Px(widths::kLine));
+  };
+  const auto inter_residuals = [&](const Lines& lines) {
+    return ResidualsLayer(lines, palette.inter_residual, sheet->Px(widths::kBold));
+  };
+  AddLines(LayerKind::kIntra, graph.intra, intra, sheet);
+  AddLines(LayerKind::kRefused, graph.refused, refused, sheet);
+  AddLines(LayerKind::kInter, graph.inter, inter, sheet);
+  AddLines(LayerKind::kResiduals, graph.intra, intra_residuals, sheet);
+  AddLines(LayerKind::kResiduals, graph.inter, inter_residuals, sheet);
 }
 
 }  // namespace

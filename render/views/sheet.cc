@@ -52,16 +52,16 @@ double Sheet::OpenChart(int panel, std::vector<std::string> caption) {
   return width;
 }
 
-void Sheet::Put(int panel, LayerKind kind, vtkSmartPointer<vtkProp> layer) {
-  const auto opacity = request_.opacities.find(kind);
-  if (opacity != request_.opacities.end()) MultiplyOpacity(opacity->second, layer);
-  drafts_[panel].layers.emplace(kind, std::move(layer));
+void Sheet::Put(int panel, const LayerProp& layer) {
+  const auto opacity = request_.opacities.find(layer.kind);
+  if (opacity != request_.opacities.end()) MultiplyOpacity(opacity->second, layer.prop);
+  drafts_[panel].layers.emplace(layer.kind, layer);
 }
 
 Panel Sheet::FinishPanel(int index) const {
   const PanelDraft& draft = drafts_[index];
   Panel panel{frame(index), draft.camera, draft.canvas, {}, draft.is_map};
-  for (const auto& [kind, prop] : draft.layers) panel.props.push_back({prop, kind});
+  for (const auto& [kind, layer] : draft.layers) panel.props.push_back(layer);
   panel.edge = [boxes = layout_.panels[index], has_scale = draft.is_map, caption = draft.caption,
                 size = layout_.size, &palette = palette_](const FlatCamera& camera) {
     return DrawPanelEdge(boxes, has_scale ? &camera : nullptr, caption, size, palette);

@@ -54,10 +54,12 @@ class Sheet {
   /// Adds a part to the caption of an open panel.
   void Say(int panel, const std::string& part) { drafts_[panel].caption.push_back(part); }
 
+  using When = LayerProp::When;
+
   /// Adds what `draw` returns if the layer is to be shown. Later ones of a kind cover earlier ones.
   template <typename Draw>
-  void Add(int panel, LayerKind kind, const Draw& draw) {
-    if (Shows(kind)) Put(panel, kind, draw());
+  void Add(int panel, LayerKind kind, const Draw& draw, When when = When::kAlways) {
+    if (Shows(kind)) Put(panel, {draw(), kind, when});
   }
 
   Scene Finish() const;
@@ -68,10 +70,10 @@ class Sheet {
     Color canvas;
     std::vector<std::string> caption;
     bool is_map = true;
-    std::multimap<LayerKind, vtkSmartPointer<vtkProp>> layers;  // in the order of drawing
+    std::multimap<LayerKind, LayerProp> layers;  // in the order of drawing
   };
 
-  void Put(int panel, LayerKind kind, vtkSmartPointer<vtkProp> layer);
+  void Put(int panel, const LayerProp& layer);
   Panel FinishPanel(int panel) const;
   Annotation Complete(Annotation annotation, const LayerKeys& keys) const;
 

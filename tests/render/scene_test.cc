@@ -50,6 +50,27 @@ TEST(FillRendererTest, LooksDownAtTheExtentOfTheCamera) {
   EXPECT_DOUBLE_EQ(camera->GetViewUp()[1], 1.0);
 }
 
+TEST(SetMovingTest, ShowsTheStandInOnlyWhileTheCameraMoves) {
+  using When = LayerProp::When;
+  Panel panel;
+  panel.frame = kFrame;
+  for (const When when : {When::kAlways, When::kAtRest, When::kMoving}) {
+    panel.props.push_back({vtkSmartPointer<vtkActor>::New(), LayerKind::kInter, when});
+  }
+  const auto visible = [&] {
+    std::vector<int> flags;
+    for (const LayerProp& layer : panel.props) flags.push_back(layer.prop->GetVisibility());
+    return flags;
+  };
+  vtkNew<vtkRenderer> renderer;
+  FillRenderer(panel, renderer);
+  EXPECT_THAT(visible(), testing::ElementsAre(1, 1, 0));
+  SetMoving(panel, true);
+  EXPECT_THAT(visible(), testing::ElementsAre(1, 0, 1));
+  SetMoving(panel, false);
+  EXPECT_THAT(visible(), testing::ElementsAre(1, 1, 0));
+}
+
 TEST(ShowTest, AsksForTheEdgeOfAPanelAsItsCameraSeesIt) {
   Scene scene;
   scene.width = 500;

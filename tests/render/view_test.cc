@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/large_recording.h"
 #include "tests/support/mapped_log.h"
 #include "tests/support/temporary_folder.h"
 
@@ -139,6 +140,24 @@ TEST(BuildSceneTest, OneHeightOfASearchHasAPanelBetweenMapAndAngles) {
   EXPECT_GT(one.panels[1].frame.height, 1.5 * all.panels[1].frame.height);
   EXPECT_LT(one.panels[2].frame.top(), one.panels[1].frame.bottom);
   EXPECT_FALSE(one.panels[2].is_map);
+}
+
+TEST(BuildSceneTest, ManyConstraintsHaveAThinnedStandInForTheMovingCamera) {
+  using When = LayerProp::When;
+  const auto count = [](const Scene& scene, LayerKind kind, When when) {
+    const auto& props = scene.panels[0].props;
+    return std::count_if(props.begin(), props.end(), [&](const LayerProp& layer) {
+      return layer.kind == kind && layer.when == when;
+    });
+  };
+  const Scene small = BuildScene(SmallLoop(), RequestFor(ViewKind::kGraph));
+  EXPECT_EQ(count(small, LayerKind::kIntra, When::kAlways), 1);
+  EXPECT_EQ(count(small, LayerKind::kIntra, When::kMoving), 0);
+  const Scene large = BuildScene(LargeRun::Make(1800, 10), RequestFor(ViewKind::kGraph));
+  EXPECT_EQ(count(large, LayerKind::kIntra, When::kAlways), 0);  // 3560 of them
+  EXPECT_EQ(count(large, LayerKind::kIntra, When::kAtRest), 1);
+  EXPECT_EQ(count(large, LayerKind::kIntra, When::kMoving), 1);
+  EXPECT_EQ(count(large, LayerKind::kInter, When::kAlways), 1);
 }
 
 TEST(BuildSceneTest, ACacheChangesNoScene) {
