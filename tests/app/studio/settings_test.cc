@@ -52,9 +52,9 @@ TEST_F(SettingsTest, AThemeChangesTheWindowThatIsOpen) {
   const Picture light = Screenshot();
   OpenWindowAnew();
   OpenSmallLoop();
-  EXPECT_EQ(Screenshot(), light);
+  ExpectSame(Screenshot(), light, "light_at_once");
   Play({"window.dark"});
-  EXPECT_EQ(Screenshot(), dark);
+  ExpectSame(Screenshot(), dark, "dark_at_once");
 }
 
 TEST_F(SettingsTest, ThePaletteFindsACommandByItsWordsAndRunsIt) {

@@ -20,9 +20,10 @@ namespace loopscope {
 namespace {
 
 constexpr int kTimeoutMilliseconds = 30000;
+const char kResults[] = LOOPSCOPE_BINARY_DIR "/pictures/studio";
 
-Picture PictureOf(QWidget* widget) {
-  const QImage image = widget->grab().toImage().convertToFormat(QImage::Format_RGB888);
+Picture PictureOf(const QImage& any_image) {
+  const QImage image = any_image.convertToFormat(QImage::Format_RGB888);
   Picture picture{image.width(), image.height(), {}};
   const std::size_t row_size = 3 * static_cast<std::size_t>(picture.width);
   picture.rgb.resize(row_size * picture.height);
@@ -30,6 +31,20 @@ Picture PictureOf(QWidget* widget) {
     std::memcpy(&picture.rgb[y * row_size], image.constScanLine(y), row_size);
   }
   return picture;
+}
+
+/// A button that fades in, for one, looks like nothing in particular meanwhile.
+void WaitForAnimations(QWidget* widget) {
+  const bool rests = QTest::qWaitFor(
+      [&] {
+        const auto animations = widget->findChildren<QAbstractAnimation*>();
+        return std::none_of(animations.begin(), animations.end(),
+                            [](QAbstractAnimation* animation) {
+                              return animation->state() == QAbstractAnimation::Running;
+                            });
+      },
+      kTimeoutMilliseconds);
+  EXPECT_TRUE(rests) << "something moves without end";
 }
 
 /// Where the files are that all tests of the program read.
@@ -89,14 +104,28 @@ void WindowFixture::WaitUntilIdle() {
   QApplication::processEvents();
 }
 
-Picture WindowFixture::Screenshot() { return PictureOf(window_.get()); }
+Picture WindowFixture::Screenshot() {
+  WaitForAnimations(window_.get());
+  return PictureOf(window_->grab().toImage());
+}
+
+Picture WindowFixture::ViewPicture(int tile) { return PictureOf(View(tile)->grabFramebuffer()); }
+
+void WindowFixture::ExpectSame(const Picture& actual, const Picture& expected,
+                               const std::string& name) {
+  const PictureComparison comparison = Compare(actual, expected);
+  if (comparison.equal) return;
+  std::filesystem::create_directories(kResults);
+  WriteComparison(actual, expected, kResults, name);
+  ADD_FAILURE() << name << ": " << 100.0 * comparison.differing_share << " % of the pixels differ";
+}
 
 void WindowFixture::ExpectWindow(const std::string& name) { ExpectWidget(window_.get(), name); }
 
 void WindowFixture::ExpectWidget(QWidget* widget, const std::string& name) {
-  ExpectPicture(
-      PictureOf(widget), name,
-      {LOOPSCOPE_SOURCE_DIR "/tests/baselines/studio", LOOPSCOPE_BINARY_DIR "/pictures/studio"});
+  WaitForAnimations(widget);
+  ExpectPicture(PictureOf(widget->grab().toImage()), name,
+                {LOOPSCOPE_SOURCE_DIR "/tests/baselines/studio", kResults});
 }
 
 QWidget* WindowFixture::Raise(const char* title) {

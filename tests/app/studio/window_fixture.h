@@ -41,6 +41,10 @@ class WindowFixture : public ::testing::Test {
 
   /// What the window looks like.
   Picture Screenshot();
+  /// What the view in a tile shows, to the pixel.
+  Picture ViewPicture(int tile = 0);
+  /// Two pictures that differ are left as `name`.*.png in the results, to be looked at.
+  void ExpectSame(const Picture& actual, const Picture& expected, const std::string& name);
   /// Expects the window to look like tests/baselines/studio/`name`.png.
   void ExpectWindow(const std::string& name);
   /// Likewise of a part or a dialog.
