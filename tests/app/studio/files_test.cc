@@ -59,6 +59,14 @@ TEST_F(FilesTest, AFileThatMustNotBeReadIsTold) {
   ExpectMessage(path, "Permission denied");
 }
 
+TEST_F(FilesTest, ARecordingThatCannotBeWrittenIsTold) {
+  const std::string log = CopyOfLog();
+  std::filesystem::create_directories(folder().Path("small_loop.loopscope.part/full"));
+  window().Run("file.open " + log);
+  WaitUntilIdle();
+  EXPECT_THAT(window().message(), testing::HasSubstr("small_loop.loopscope"));
+}
+
 TEST_F(FilesTest, TheMessageGoesWhenAFileIsOpened) {
   window().Run("file.open " + folder().Path("missing.log"));
   WaitUntilIdle();
