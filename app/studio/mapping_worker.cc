@@ -12,12 +12,15 @@
 namespace loopscope {
 
 MappingWorker::MappingWorker(ScanLog log, const Options& options, std::string path)
-    : path_(std::move(path)),
-      thread_([this, log = std::move(log), options] { Run(log, options); }) {}
+    : log_(std::move(log)), options_(options), path_(std::move(path)) {}
 
 MappingWorker::~MappingWorker() {
   Stop();
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
+}
+
+void MappingWorker::Start() {
+  thread_ = std::thread([this] { Run(); });
 }
 
 std::vector<SlamUpdate> MappingWorker::TakeUpdates() {
@@ -30,14 +33,14 @@ MappingProgress MappingWorker::progress() const {
   return progress_;
 }
 
-void MappingWorker::Run(const ScanLog& log, const Options& options) {
+void MappingWorker::Run() {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   // One core is left to the window.
   const int num_threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
   try {
-    RecordingWriter writer(path_, log, options);
-    MapLog(log, options, num_threads, &writer,
+    RecordingWriter writer(path_, log_, options_);
+    MapLog(log_, options_, num_threads, &writer,
            [&](const SlamUpdate& update, const MappingProgress& progress) {
              seconds_ = std::chrono::duration<double>(Clock::now() - start).count();
              bool was_empty = false;

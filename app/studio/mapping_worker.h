@@ -20,10 +20,12 @@ class MappingWorker : public QObject {
   Q_OBJECT
 
  public:
-  /// Begins at once. Signals are emitted on the worker's thread.
   MappingWorker(ScanLog log, const Options& options, std::string path);
   /// Stops after the scan that it works on.
   ~MappingWorker() override;
+
+  /// Begins. Signals are emitted on the worker's thread, the first perhaps before this returns.
+  void Start();
 
   const std::string& path() const { return path_; }
 
@@ -43,8 +45,10 @@ class MappingWorker : public QObject {
   void Finished();
 
  private:
-  void Run(const ScanLog& log, const Options& options);
+  void Run();
 
+  const ScanLog log_;
+  const Options options_;
   std::string path_;
   std::string error_;
   std::atomic<bool> stopping_{false};

@@ -109,9 +109,9 @@ KeysDialog::KeysDialog(QWidget* parent) : QDialog(parent) {
     if (command.keys.empty()) continue;
     if (command.menu != menu) {
       menu = command.menu;
-      if (menu == "Selection" || menu == "View") {
-        column += menu == "Selection" ? 2 : 0;
-        row = menu == "Selection" ? 0 : row;
+      if (menu == "View") {  // so that both columns are about as long
+        column = 2;
+        row = 0;
       }
       grid->addWidget(new QLabel("<b>" + QString::fromStdString(menu) + "</b>"), row++, column);
     }

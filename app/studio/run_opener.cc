@@ -81,6 +81,7 @@ void RunOpener::Map(const ScanLog& log, const Options& options, const std::strin
   mapping_ = std::make_unique<MappingWorker>(log, options, path);
   connect(mapping_.get(), &MappingWorker::Grown, this, &RunOpener::TakeUpdates);
   connect(mapping_.get(), &MappingWorker::Finished, this, &RunOpener::EndMapping);
+  mapping_->Start();
 }
 
 void RunOpener::StopMapping() {
