@@ -112,6 +112,7 @@ void ViewWidget::MoveTo(const FlatCamera& camera) {
   panel.camera = camera;
   LookDown(camera, panel.frame.height, panels_.front());
   is_moved_ = true;
+  SetMoving(panel, true);
   DrawEdge();
   rest_.start();
   Draw();
@@ -120,6 +121,8 @@ void ViewWidget::MoveTo(const FlatCamera& camera) {
 void ViewWidget::TellRest() {
   if (!is_moved_ || scene_.panels.empty()) return;
   const Panel& panel = scene_.panels.front();
+  SetMoving(panel, false);
+  Draw();
   emit CameraRested(panel.camera.center.x(), panel.camera.center.y(),
                     panel.camera.meters_per_pixel * panel.frame.width);
 }

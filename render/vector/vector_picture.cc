@@ -128,7 +128,8 @@ void DrawProps(const Panel& panel, const Placement& placement, cairo_t* canvas) 
   LayersAsImage image(panel, placement, canvas);
   for (const LayerProp& layer : panel.props) {
     auto* const actor = vtkActor::SafeDownCast(layer.prop.Get());
-    if (actor == nullptr || !actor->GetVisibility()) continue;
+    const bool is_at_rest = layer.when != LayerProp::When::kMoving;
+    if (actor == nullptr || !actor->GetVisibility() || !is_at_rest) continue;
     if (BelongsInImage(actor)) {
       image.Draw(actor, beneath);
     } else {

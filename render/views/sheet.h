@@ -59,7 +59,7 @@ class Sheet {
   /// Adds what `draw` returns if the layer is to be shown. Later ones of a kind cover earlier ones.
   template <typename Draw>
   void Add(int panel, LayerKind kind, const Draw& draw, When when = When::kAlways) {
-    if (Shows(kind)) Put(panel, {draw(), kind, when});
+    if (Shows(kind) && !frame(panel).empty()) Put(panel, {draw(), kind, when});
   }
 
   Scene Finish() const;
