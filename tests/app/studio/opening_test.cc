@@ -89,6 +89,13 @@ TEST_F(OpeningTest, ClosingTheWindowEndsMappingAndKeepsWhatWasMapped) {
   EXPECT_LT(recording.num_steps(), static_cast<int>(recording.log().scans.size()));
 }
 
+TEST_F(OpeningTest, AWindowCanBeDestroyedWhileItIsShown) {
+  OpenSmallLoop();
+  DestroyWindow();
+  OpenWindowAnew();
+  EXPECT_FALSE(session().has_recording());
+}
+
 TEST_F(OpeningTest, AFileDroppedOnTheWindowIsOpened) {
   QMimeData files;
   files.setUrls({QUrl::fromLocalFile(QString::fromStdString(SmallLoopRecording()))});

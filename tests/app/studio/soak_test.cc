@@ -29,7 +29,7 @@ class Monkey {
     const int num_nodes = static_cast<int>(recording.nodes().size());
     const int num_submaps = static_cast<int>(recording.submaps().size());
     const int num_loops = static_cast<int>(recording.candidates().size());
-    switch (Below(14)) {
+    switch (Below(15)) {
       case 0:
         return OneOf(
             {"view.map", "view.submap", "view.update", "view.match", "view.search", "view.graph"});
@@ -53,6 +53,9 @@ class Monkey {
       case 8:
         return OneOf({"edit.undo", "edit.undo", "edit.redo"});
       case 9:
+        return OneOf({"search.visits 7", "search.visits", "search.height 2", "search.angle 1",
+                      "search.all", "layer.opacity grid 0.3", "layer.opacity grid 1"});
+      case 10:
         return OneOf(
             {"theme.color_blind", "theme.default", "event.next", "event.previous", "play.toggle"});
       default:

@@ -3,7 +3,7 @@
 #include <QtTest>
 
 #include "app/studio/layers_panel.h"
-#include "app/studio/palette_dialog.h"
+#include "app/studio/search_bar.h"
 #include "app/studio/tile.h"
 #include "tests/app/studio/window_fixture.h"
 
@@ -37,6 +37,15 @@ class ViewsTest : public WindowFixture {
     const QRect row = tree->visualItemRect(LayerItem(name));
     QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, {row.left() + 11, row.center().y()});
     WaitUntilIdle();
+  }
+
+  /// Where a point of the map [m] is in the first view.
+  QPoint PixelOf(const Eigen::Vector2d& point) {
+    const QPoint origin = View()->rect().center() - QPoint(60, 0);
+    const auto place = View()->PlaceAt(origin);
+    EXPECT_TRUE(place.has_value());
+    const Eigen::Vector2d pixels = (point - place->point) / place->meters_per_pixel;
+    return origin + QPoint(qRound(pixels.x()), qRound(-pixels.y()));
   }
 
   void Wheel(const QPoint& position, int steps) {
@@ -127,6 +136,30 @@ TEST_F(ViewsTest, ADragMovesTheMapWithTheHand) {
   const auto after = View()->PlaceAt(end);
   EXPECT_NEAR((after->point - before->point).norm(), 0.0, 1e-3);
   EXPECT_FALSE(state().node.has_value()) << "a drag is no click";
+}
+
+TEST_F(ViewsTest, AClickOnANodeSelectsItInTheTable) {
+  Play({"view.graph"});
+  const int node = 70;
+  const MapState map = StateAfterStep(session().recording(), state().step);
+  QTest::mouseClick(View(), Qt::LeftButton, {}, PixelOf(map.global_from_node[node].translation));
+  WaitUntilIdle();
+  EXPECT_EQ(state().node, NodeId{node});
+  EXPECT_EQ(Find<QTableView>(Raise("Nodes"))->currentIndex().row(), node);
+}
+
+TEST_F(ViewsTest, SlidersShowAPartOfASearch) {
+  GoToLoop();
+  Play({"view.search"});
+  const auto sliders = Find<SearchBar>(&window())->findChildren<QSlider*>();
+  ASSERT_EQ(sliders.size(), 3);
+  sliders.front()->setValue(5);
+  WaitUntilIdle();
+  EXPECT_EQ(Asked().search.num_visits, 5);
+  ExpectWindow("search_after_five_visits");
+  sliders.front()->setValue(sliders.front()->maximum());
+  WaitUntilIdle();
+  EXPECT_FALSE(Asked().search.num_visits.has_value());
 }
 
 TEST_F(ViewsTest, FFramesTheSelection) {

@@ -30,6 +30,8 @@ class WindowFixture : public ::testing::Test {
   /// A window after the one that there was, which is closed first.
   void OpenWindowAnew();
   void CloseWindow();
+  /// Without closing it before.
+  void DestroyWindow() { window_.reset(); }
 
   /// Runs command lines; after each the window becomes idle and has no message, or the test fails.
   void Play(std::initializer_list<std::string> lines);
