@@ -83,11 +83,13 @@ std::vector<Box> SideBoxes(const Arrangement& arrangement, Box area, double gap)
   return boxes;
 }
 
-/// Whole pixels, so that an image in the panel can be drawn pixel by pixel.
+/// Whole pixels, so that an image in the panel can be drawn pixel by pixel; one at least, so that
+/// whatever is drawn in it has a scale.
 Box Rounded(const Box& box) {
   const double left = std::ceil(box.left);
   const double bottom = std::ceil(box.bottom);
-  return {left, bottom, std::floor(box.right()) - left, std::floor(box.top()) - bottom};
+  return {left, bottom, std::max(1.0, std::floor(box.right()) - left),
+          std::max(1.0, std::floor(box.top()) - bottom)};
 }
 
 std::vector<PanelBoxes> PlacePanels(const SheetSize& size, const Arrangement& arrangement,
@@ -105,7 +107,9 @@ std::vector<PanelBoxes> PlacePanels(const SheetSize& size, const Arrangement& ar
   }
   std::vector<PanelBoxes> panels;
   for (Box& box : boxes) {
-    const Box footer = CutBottom(arrangement.footer_rows * kRow * size.font, &box);
+    constexpr double kMaxFooterShare = 0.5;  // of a panel that is too small for its text
+    const Box footer = CutBottom(
+        std::min(arrangement.footer_rows * kRow * size.font, kMaxFooterShare * box.height), &box);
     panels.push_back({Rounded(box), Rounded(footer)});
   }
   return panels;

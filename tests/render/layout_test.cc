@@ -128,6 +128,14 @@ TEST(LayoutTest, TheLastPanelMayBeAStripBeneathTheOtherSidePanels) {
   EXPECT_GT(panels[1].frame.height, 2.0 * panels[2].frame.height);
 }
 
+TEST(LayoutTest, PanelsTooSmallForTheirTextKeepAPlaceToDrawIn) {
+  const SheetSize size = MakeSheetSize(kMinPictureWidth, kMinPictureHeight, 1, 40);
+  for (const PanelBoxes& panel : LayOut(size, FullAnnotation(), {9, 0.5, 2, 0.2}).panels) {
+    EXPECT_GE(panel.frame.width, 1.0);
+    EXPECT_GE(panel.frame.height, 1.0);
+  }
+}
+
 TEST(SheetSizeTest, TextAndStrokesGrowWithThePicture) {
   EXPECT_EQ(MakeSheetSize(320, 240, 1).font, 8);
   EXPECT_EQ(MakeSheetSize(1280, 720, 1).font, 13);
