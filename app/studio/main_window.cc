@@ -71,7 +71,8 @@ MainWindow::MainWindow() {
   Refresh();
 }
 
-MainWindow::~MainWindow() = default;
+// Docks tell when they are hidden, to which the window listens as long as it is whole.
+MainWindow::~MainWindow() { hide(); }
 
 QWidget* MainWindow::MakeCentral() {
   pages_ = new QStackedWidget(this);
