@@ -127,7 +127,7 @@ KeysDialog::KeysDialog(QWidget* parent) : QDialog(parent) {
     grid->addWidget(new QLabel(what), row, column);
     grid->addWidget(new QLabel(how), row++, column + 1);
   }
-  grid->setRowStretch(row, 1);
+  grid->setRowStretch(grid->rowCount(), 1);
   auto* const area = new QScrollArea(this);
   area->setWidget(sheet);
   area->setWidgetResizable(true);
