@@ -24,11 +24,12 @@ constexpr TextStyle kStyle{20, Weight::kMedium, kBlue};
 
 /// A panel of 40 x 20 pixels, its lower left corner at (20, 10) of a sheet of 80 x 60, a metre a
 /// pixel, (0, 0) in its middle.
-Scene SceneWith(std::vector<vtkSmartPointer<vtkProp>> props) {
+Scene SceneWith(const Props& props) {
   Scene scene;
   scene.width = 80;
   scene.height = 60;
-  scene.panels.push_back({{20.0, 10.0, 40.0, 20.0}, {{0.0, 0.0}, 1.0}, kBlue, std::move(props)});
+  scene.panels.push_back({{20.0, 10.0, 40.0, 20.0}, {{0.0, 0.0}, 1.0}, kBlue, {}});
+  for (const auto& prop : props) scene.panels.front().props.push_back({prop});
   return scene;
 }
 
