@@ -36,6 +36,7 @@ TablePanel::TablePanel(TableKind kind, RunLine run, QWidget* parent)
   MakeView();
   auto* const line = new QHBoxLayout;
   line->setContentsMargins(6, 4, 6, 4);
+  line->setSpacing(8);
   line->addWidget(query_, 1);
   line->addWidget(count_);
   auto* const column = new QVBoxLayout(this);

@@ -37,6 +37,7 @@ Tile::Tile(int index, SceneWorker* worker, RunLine run, QWidget* parent)
 
   auto* const bar = new QHBoxLayout;
   bar->setContentsMargins(6, 4, 6, 4);
+  bar->setSpacing(8);
   bar->addWidget(kinds_);
   bar->addWidget(message_, 1);
   search_ = new SearchBar(
@@ -95,7 +96,12 @@ void Tile::TakeScene() {
   std::optional<DrawnScene> drawn = worker_->Take(index_);
   if (!drawn) return;
   message_->setText(QString::fromStdString(drawn->error));
-  if (!drawn->scene) return;
+  if (!drawn->scene) {
+    view_->Clear();
+    shown_.reset();
+    inspector_.reset();
+    return;
+  }
   const bool same_view = shown_ && shown_->view == drawn->request.view;
   shown_ = drawn->request;
   inspector_ = std::move(drawn->inspector);

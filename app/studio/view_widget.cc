@@ -62,6 +62,18 @@ void ViewWidget::Show(Scene scene, bool keep_camera) {
   }
 }
 
+void ViewWidget::Clear() {
+  if (paper_ == nullptr) return;
+  makeCurrent();
+  scene_ = Scene();
+  draw_edge_ = nullptr;
+  edge_.clear();
+  for (vtkRenderer* const panel : panels_) renderWindow()->RemoveRenderer(panel);
+  panels_.clear();
+  paper_->RemoveAllViewProps();
+  Draw();
+}
+
 void ViewWidget::DrawEdge() {
   for (const auto& prop : edge_) paper_->RemoveViewProp(prop);
   if (draw_edge_) edge_ = draw_edge_(scene_.panels.front().camera);

@@ -24,6 +24,8 @@ class ViewWidget : public QVTKOpenGLNativeWidget {
 
   /// With `keep_camera`, a hand that moves the camera right now is not disturbed.
   void Show(Scene scene, bool keep_camera);
+  /// Shows an empty paper instead.
+  void Clear();
   bool has_scene() const { return !scene_.panels.empty(); }
   /// Pixels of the screen for one of Qt's.
   int device_pixels() const;

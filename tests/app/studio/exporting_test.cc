@@ -61,7 +61,7 @@ TEST_F(ExportingTest, TheExportedPictureIsWhatTheWindowShows) {
     const std::string path = folder().Path(std::string(view) + ".png");
     Play({view, "file.export " + path});
     const PictureComparison comparison =
-        Compare(Shrunk(ViewPicture()), Shrunk(ReadPng(path)), {24, 0.01});
+        Compare(Shrunk(ViewPicture()), Shrunk(ReadPng(path)), {48, 0.02});
     EXPECT_TRUE(comparison.equal) << comparison.differing_share << " " << comparison.max_difference;
   }
 }

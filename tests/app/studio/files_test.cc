@@ -68,7 +68,7 @@ TEST_F(FilesTest, ARecordingThatCannotBeWrittenIsTold) {
 }
 
 TEST_F(FilesTest, TheMessageGoesWhenAFileIsOpened) {
-  window().Run("file.open " + folder().Path("missing.log"));
+  window().Run("file.open /no/such/folder/run.log");
   WaitUntilIdle();
   EXPECT_NE(window().message(), "");
   ExpectWindow("message");

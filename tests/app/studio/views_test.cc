@@ -205,7 +205,10 @@ TEST_F(ViewsTest, KeysOfVtkDoNothingButWhatTheCommandsSay) {
 
 TEST_F(ViewsTest, AViewWithNothingToShowSaysSo) {
   Play({"view.submap", "step.first", "view.search"});
+  EXPECT_FALSE(View()->has_scene());
   ExpectWindow("nothing_to_show");
+  Play({"view.map"});
+  EXPECT_TRUE(View()->has_scene());
 }
 
 TEST_F(ViewsTest, TheColoursForAnyColourVisionAreThoseOfThePictures) {
