@@ -66,6 +66,11 @@ MainWindow::MainWindow() {
   panels_timer_.setInterval(kPanelsMilliseconds);
   connect(&export_, QOverload<int, QProcess::ExitStatus>::of(&QProcess::finished), this,
           &MainWindow::EndExport);
+  connect(&export_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
+    if (error != QProcess::FailedToStart) return;
+    pointer_->clear();
+    message_bar_->Tell("The picture was not drawn: " + export_.program() + " cannot be run.");
+  });
   ConnectOpener();
   Restore();
   Refresh();
@@ -313,8 +318,13 @@ void MainWindow::MapAgain() {
 
 void MainWindow::StopMapping() { opener_.StopMapping(); }
 
+ViewRequest MainWindow::PictureOfActiveTile() const {
+  const int tile = session_.state().active_tile;
+  return tiles_[tile]->asked().value_or(session_.RequestOf(tile));
+}
+
 void MainWindow::Export(const std::string& path) {
-  const ViewRequest request = *tiles_[session_.state().active_tile]->asked();
+  const ViewRequest request = PictureOfActiveTile();
   if (!path.empty()) {
     StartExport(request, QString::fromStdString(path));
     return;
@@ -338,14 +348,15 @@ void MainWindow::StartExport(const ViewRequest& request, const QString& path) {
   export_.start(QApplication::applicationDirPath() + "/loopscope", arguments);
 }
 
-void MainWindow::EndExport(int exit_code) {
+void MainWindow::EndExport(int exit_code, QProcess::ExitStatus status) {
   const QString error = QString::fromUtf8(export_.readAllStandardError()).trimmed();
   pointer_->setText(QString::fromUtf8(export_.readAllStandardOutput()).trimmed());
-  if (exit_code != 0) message_bar_->Tell(error);
+  if (exit_code == 0 && status == QProcess::NormalExit) return;
+  message_bar_->Tell(error.isEmpty() ? "The picture was not drawn: loopscope crashed." : error);
 }
 
 void MainWindow::CopyCommandLine() {
-  const ViewRequest request = *tiles_[session_.state().active_tile]->asked();
+  const ViewRequest request = PictureOfActiveTile();
   const std::string line =
       RenderCommandLine(session_.path(), request, ToString(request.view) + ".png");
   QApplication::clipboard()->setText(QString::fromStdString(line));

@@ -83,7 +83,8 @@ class MainWindow : public QMainWindow, public SessionHost {
   void ArrangeTiles();
   void Tick();
   void StartExport(const ViewRequest& request, const QString& path);
-  void EndExport(int exit_code);
+  void EndExport(int exit_code, QProcess::ExitStatus status);
+  ViewRequest PictureOfActiveTile() const;
   void Remember(const std::string& path);
   void FillRecent();
 
