@@ -3,6 +3,7 @@
 #include "render/scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vtkCamera.h>
 #include <vtkNew.h>
 #include <vtkRenderStepsPass.h>
@@ -15,14 +16,36 @@ void SetBackground(const Color& color, vtkRenderer* renderer) {
   renderer->SetBackground(color.r / 255.0, color.g / 255.0, color.b / 255.0);
 }
 
-void LookDown(const FlatCamera& flat, double height, vtkRenderer* renderer) {
+void LookFrom(const SideView& side, const FlatCamera& flat, vtkRenderer* renderer) {
+  constexpr double kFar = 1e4;  // [m]
+  const Eigen::Matrix3d map_from_view = side.ViewFromMap().transpose();
+  const Eigen::Vector3d focus = map_from_view.leftCols<2>() * flat.center;
+  const Eigen::Vector3d eye = focus + kFar * map_from_view.col(2);
+  const Eigen::Vector3d up = map_from_view.col(1);
   vtkCamera* const camera = renderer->GetActiveCamera();
-  camera->ParallelProjectionOn();
+  camera->SetPosition(eye.x(), eye.y(), eye.z());
+  camera->SetFocalPoint(focus.x(), focus.y(), focus.z());
+  camera->SetViewUp(up.x(), up.y(), up.z());
+  renderer->ResetCameraClippingRange();
+}
+
+void LookDown(const FlatCamera& flat, vtkRenderer* renderer) {
+  vtkCamera* const camera = renderer->GetActiveCamera();
   camera->SetPosition(flat.center.x(), flat.center.y(), 1.0);
   camera->SetFocalPoint(flat.center.x(), flat.center.y(), 0.0);
   camera->SetViewUp(0.0, 1.0, 0.0);
-  camera->SetParallelScale(0.5 * height * flat.meters_per_pixel);
   camera->SetClippingRange(0.1, 2.0);
+}
+
+void PlaceCamera(const Panel& panel, vtkRenderer* renderer) {
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(0.5 * panel.frame.height * panel.camera.meters_per_pixel);
+  if (panel.side) {
+    LookFrom(*panel.side, panel.camera, renderer);
+  } else {
+    LookDown(panel.camera, renderer);
+  }
 }
 
 vtkSmartPointer<vtkRenderer> PanelRenderer(const Panel& panel, const Scene& scene) {
@@ -34,6 +57,16 @@ vtkSmartPointer<vtkRenderer> PanelRenderer(const Panel& panel, const Scene& scen
 }
 
 }  // namespace
+
+Eigen::Matrix3d SideView::ViewFromMap() const {
+  const Eigen::Vector3d ahead(-std::sin(azimuth), std::cos(azimuth), 0.0);
+  const Eigen::Vector3d high = Eigen::Vector3d::UnitZ();
+  Eigen::Matrix3d view_from_map;
+  view_from_map << std::cos(azimuth), std::sin(azimuth), 0.0,
+      (std::sin(elevation) * ahead + std::cos(elevation) * high).transpose(),
+      (std::sin(elevation) * high - std::cos(elevation) * ahead).transpose();
+  return view_from_map;
+}
 
 Extent VisibleExtent(const FlatCamera& camera, const Box& frame) {
   const Eigen::Vector2d half =
@@ -72,7 +105,7 @@ void FillRenderer(const Panel& panel, vtkRenderer* renderer) {
   vtkNew<vtkRenderStepsPass> steps;
   renderer->SetPass(steps);
   for (const auto& prop : panel.props) renderer->AddViewProp(prop);
-  LookDown(panel.camera, panel.frame.height, renderer);
+  PlaceCamera(panel, renderer);
 }
 
 void Show(const Scene& scene, vtkRenderWindow* window) {

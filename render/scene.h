@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 #include <vtkProp.h>
@@ -25,6 +26,16 @@ struct FlatCamera {
   double meters_per_pixel = 0.01;
 };
 
+/// Looks at the map from the side, in parallel rays.
+struct SideView {
+  double azimuth = 0.0;           ///< [rad] from which side: 0 from -y, a quarter turn from +x
+  double elevation = 0.5 * M_PI;  ///< [rad] from straight from the side, 0, to straight down
+
+  /// Its rows: what is to the right in the picture, what is up, and what comes towards the eye. A
+  /// camera's center is in the coordinates of the first two.
+  Eigen::Matrix3d ViewFromMap() const;
+};
+
 /// The camera that shows all of `extent` in `frame` with a small margin. What is empty or a point
 /// is shown with a metre around it.
 FlatCamera CameraFor(const Extent& extent, const Box& frame);
@@ -39,6 +50,7 @@ struct Panel {
   FlatCamera camera;
   Color canvas;  ///< where nothing is drawn
   std::vector<vtkSmartPointer<vtkProp>> props;
+  std::optional<SideView> side = std::nullopt;  ///< straight down without it
 };
 
 /// A picture before it is drawn: what VTK needs and nothing of how it came about.

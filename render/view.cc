@@ -28,6 +28,19 @@ void RequireCamera(const ViewRequest& request) {
   }
 }
 
+void RequireSide(const ViewRequest& request) {
+  if (!request.azimuth && !request.elevation) return;
+  if (request.view != ViewKind::kTime) {
+    throw std::invalid_argument("view " + ToString(request.view) +
+                                " is seen from above: expected azimuth and elevation for time");
+  }
+  const double elevation = request.elevation.value_or(0.0);
+  if (!(0.0 <= elevation && elevation <= 90.0)) {
+    throw std::invalid_argument("elevation " + std::to_string(elevation) +
+                                " degrees: expected 0 to 90");
+  }
+}
+
 }  // namespace
 
 int OversamplingOf(const ViewRequest& request) {
@@ -43,6 +56,7 @@ Scene BuildScene(const Recording& recording, const ViewRequest& request, int ove
 Scene BuildScene(GridCache* cache, const ViewRequest& request, int oversampling) {
   RequireLayers(request);
   RequireCamera(request);
+  RequireSide(request);
   const Recording& recording = cache->recording();
   switch (request.view) {
     case ViewKind::kMap:
@@ -55,6 +69,8 @@ Scene BuildScene(GridCache* cache, const ViewRequest& request, int oversampling)
       return BuildMatchView(recording, request, oversampling);
     case ViewKind::kSearch:
       return BuildSearchView(recording, request, oversampling);
+    case ViewKind::kTime:
+      return BuildTimeView(cache, request, oversampling);
     case ViewKind::kGraph:
       break;
   }

@@ -29,6 +29,8 @@ struct ViewRequest {
   std::optional<std::set<LayerKind>> layers;  ///< those to draw, a part of LayersOf(view)
   std::optional<Eigen::Vector2d> center;      ///< [m] of the main panel, in the frame of the view
   std::optional<double> width_in_meters;      ///< of the main panel
+  std::optional<double> azimuth;              ///< [deg] for time: from which side, see SideView
+  std::optional<double> elevation;            ///< [deg] for time: 0 from the side to 90 from above
 };
 
 /// Pixels of the scene for one of the picture, each way: 2 up to 3840x2160, for smooth edges; 1 for

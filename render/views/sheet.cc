@@ -41,6 +41,13 @@ void Sheet::Open(int panel, const Extent& extent, const Color& canvas,
   }
 }
 
+void Sheet::OpenFrom(const SideView& side, int panel, const Extent& extent, const Color& canvas,
+                     std::vector<std::string> caption) {
+  Open(panel, extent, canvas, std::move(caption));
+  drafts_[panel].side = side;
+  drafts_[panel].has_scale = false;
+}
+
 double Sheet::OpenChart(int panel, std::vector<std::string> caption) {
   const Box& box = frame(panel);
   const double width = box.width / box.height;
@@ -62,7 +69,7 @@ Scene Sheet::Finish() const {
     const Props edge = DrawPanelEdge(layout_.panels[i], draft.has_scale ? &draft.camera : nullptr,
                                      draft.caption, layout_.size, palette_);
     scene.annotation.insert(scene.annotation.end(), edge.begin(), edge.end());
-    Panel panel{frame(i), draft.camera, draft.canvas, {}};
+    Panel panel{frame(i), draft.camera, draft.canvas, {}, draft.side};
     for (const auto& [kind, prop] : draft.layers) panel.props.push_back(prop);
     scene.panels.push_back(std::move(panel));
   }

@@ -45,5 +45,38 @@ TEST(FillRendererTest, LooksDownAtTheExtentOfTheCamera) {
   EXPECT_DOUBLE_EQ(camera->GetViewUp()[1], 1.0);
 }
 
+TEST(SideViewTest, StraightDownIsTheMapItself) {
+  EXPECT_TRUE(SideView().ViewFromMap().isIdentity(1e-12));
+}
+
+TEST(SideViewTest, FromTheSideWhatIsHighIsUpAndTheNearIsTowardsTheEye) {
+  const Eigen::Matrix3d from_south = SideView{0.0, 0.0}.ViewFromMap();
+  EXPECT_TRUE(
+      (from_south * Eigen::Vector3d(1.0, 2.0, 3.0)).isApprox(Eigen::Vector3d(1.0, 3.0, -2.0)));
+  const Eigen::Matrix3d from_east = SideView{0.5 * M_PI, 0.0}.ViewFromMap();
+  EXPECT_TRUE(
+      (from_east * Eigen::Vector3d(1.0, 2.0, 3.0)).isApprox(Eigen::Vector3d(2.0, 3.0, 1.0)));
+}
+
+TEST(SideViewTest, IsARotation) {
+  const Eigen::Matrix3d view = SideView{0.7, 0.4}.ViewFromMap();
+  EXPECT_TRUE((view * view.transpose()).isIdentity(1e-12));
+  EXPECT_NEAR(view.determinant(), 1.0, 1e-12);
+}
+
+TEST(SheetOfTest, HasThePaperAndTheAnnotationInPixels) {
+  Scene scene;
+  scene.width = 80;
+  scene.height = 60;
+  scene.paper = {1, 2, 3};
+  scene.annotation.resize(2);
+  const Panel sheet = SheetOf(scene);
+  EXPECT_EQ(sheet.frame.width, 80.0);
+  EXPECT_EQ(sheet.canvas, (Color{1, 2, 3}));
+  EXPECT_EQ(sheet.props.size(), 2u);
+  EXPECT_EQ(sheet.camera.center, Eigen::Vector2d(40.0, 30.0));
+  EXPECT_EQ(sheet.camera.meters_per_pixel, 1.0);
+}
+
 }  // namespace
 }  // namespace loopscope

@@ -11,7 +11,8 @@ namespace loopscope {
 namespace {
 
 constexpr ViewKind kAllViews[] = {ViewKind::kMap,   ViewKind::kSubmap, ViewKind::kUpdate,
-                                  ViewKind::kMatch, ViewKind::kSearch, ViewKind::kGraph};
+                                  ViewKind::kMatch, ViewKind::kSearch, ViewKind::kGraph,
+                                  ViewKind::kTime};
 
 const Recording& SmallLoop() {
   static const Recording recording = MapLog(SimulateSmallLoop().log, SmallLoopOptions());
@@ -54,7 +55,7 @@ TEST(BuildSceneTest, EveryViewFillsItsPanelsAtAnySizeAndAnyStep) {
 
 TEST(BuildSceneTest, AlreadyTheFirstScanHasAMapASubmapAnUpdateAndAGraph) {
   for (const ViewKind view :
-       {ViewKind::kMap, ViewKind::kSubmap, ViewKind::kUpdate, ViewKind::kGraph}) {
+       {ViewKind::kMap, ViewKind::kSubmap, ViewKind::kUpdate, ViewKind::kGraph, ViewKind::kTime}) {
     ViewRequest request = RequestFor(view);
     request.step = 0;
     EXPECT_GT(NumProps(BuildScene(SmallLoop(), request)), 0u) << ToString(view);
@@ -82,6 +83,22 @@ TEST(BuildSceneTest, TheRequestMayAimTheMainCamera) {
   const Scene scene = BuildScene(SmallLoop(), request);
   EXPECT_EQ(scene.panels[0].camera.center, Eigen::Vector2d(1.5, -2.0));
   EXPECT_NEAR(scene.panels[0].camera.meters_per_pixel * scene.panels[0].frame.width, 3.0, 1e-9);
+}
+
+TEST(BuildSceneTest, OnlyTheViewTimeLooksFromTheSideAskedFor) {
+  ViewRequest request = RequestFor(ViewKind::kTime);
+  request.azimuth = 90.0;
+  request.elevation = 0.0;
+  const Scene scene = BuildScene(SmallLoop(), request);
+  ASSERT_TRUE(scene.panels.front().side.has_value());
+  EXPECT_DOUBLE_EQ(scene.panels.front().side->azimuth, 0.5 * M_PI);
+  EXPECT_DOUBLE_EQ(scene.panels.front().side->elevation, 0.0);
+  request.elevation = 90.5;
+  EXPECT_EQ(WhyRefused(request), "elevation 90.500000 degrees: expected 0 to 90");
+  request.view = ViewKind::kMap;
+  EXPECT_EQ(WhyRefused(request),
+            "view map is seen from above: expected azimuth and elevation for time");
+  EXPECT_FALSE(BuildScene(SmallLoop(), RequestFor(ViewKind::kGraph)).panels[0].side.has_value());
 }
 
 TEST(BuildSceneTest, ACacheChangesNoScene) {

@@ -23,6 +23,7 @@ struct Ask : ViewRequest {
   Ask& Around(double x, double y, double meters) {
     return center = Eigen::Vector2d(x, y), width_in_meters = meters, *this;
   }
+  Ask& From(double degrees, double high) { return azimuth = degrees, elevation = high, *this; }
   Ask& Layers(const std::set<LayerKind>& value) { return layers = value, *this; }
 };
 
@@ -70,6 +71,12 @@ PICTURE(graph_before_loops, Ask(V::kGraph).Step(120))
 PICTURE(graph_covariances, Ask(V::kGraph).Layers({L::kGrid, L::kRefused, L::kCovariances}))
 PICTURE(graph_tiny, Ask(V::kGraph).Size(320, 240))
 PICTURE(graph_color_blind, Ask(V::kGraph).ColorBlind())
+PICTURE(time, Ask(V::kTime))
+PICTURE(time_at_first_step, Ask(V::kTime).Step(0))
+PICTURE(time_from_above, Ask(V::kTime).From(0.0, 90.0))
+PICTURE(time_tiny, Ask(V::kTime).Size(320, 240))
+PICTURE(time_color_blind, Ask(V::kTime).From(70.0, 15.0).ColorBlind())
+PICTURE(time_with_intra, Ask(V::kTime).Layers({L::kGrid, L::kIntra, L::kNodes, L::kLabels}))
 
 TEST(PicturesTest, AreTheSameByEgl) {
   ExpectView("update", Ask(V::kUpdate).Step(140), Backend::kEgl);
