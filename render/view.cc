@@ -22,6 +22,9 @@ void RequireLayers(const ViewRequest& request) {
 }
 
 void RequireCamera(const ViewRequest& request) {
+  if (request.view == ViewKind::kChart && (request.center || request.width_in_meters)) {
+    throw std::invalid_argument("view chart has no map: expected no center and no width of it");
+  }
   if (request.width_in_meters && !(*request.width_in_meters > 0.0)) {
     throw std::invalid_argument("width of the map is " + std::to_string(*request.width_in_meters) +
                                 " m: expected more than 0");
@@ -71,6 +74,8 @@ Scene BuildScene(GridCache* cache, const ViewRequest& request, int oversampling)
       return BuildSearchView(recording, request, oversampling);
     case ViewKind::kTime:
       return BuildTimeView(cache, request, oversampling);
+    case ViewKind::kChart:
+      return BuildChartView(recording, request, oversampling);
     case ViewKind::kGraph:
       break;
   }

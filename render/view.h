@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "core/slam/recording.h"
+#include "render/charts/chart_data.h"
 #include "render/grid_cache.h"
 #include "render/palette.h"
 #include "render/scene.h"
@@ -31,6 +32,7 @@ struct ViewRequest {
   std::optional<double> width_in_meters;      ///< of the main panel
   std::optional<double> azimuth;              ///< [deg] for time: from which side, see SideView
   std::optional<double> elevation;            ///< [deg] for time: 0 from the side to 90 from above
+  ChartKind chart = ChartKind::kScores;       ///< for chart
 };
 
 /// Pixels of the scene for one of the picture, each way: 2 up to 3840x2160, for smooth edges; 1 for

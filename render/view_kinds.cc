@@ -18,7 +18,7 @@ const Names<ViewKind>& ViewNames() {
   static const Names<ViewKind> names{{ViewKind::kMap, "map"},       {ViewKind::kSubmap, "submap"},
                                      {ViewKind::kUpdate, "update"}, {ViewKind::kMatch, "match"},
                                      {ViewKind::kSearch, "search"}, {ViewKind::kGraph, "graph"},
-                                     {ViewKind::kTime, "time"}};
+                                     {ViewKind::kTime, "time"},     {ViewKind::kChart, "chart"}};
   return names;
 }
 
@@ -67,6 +67,7 @@ const LayerSets& LayerSetsOf(ViewKind kind) {
                                  L::kResiduals, L::kFrames, L::kRobot,      L::kLabels};
   static const std::set<L> time{L::kGrid,   L::kTrajectory, L::kNodes, L::kInter,
                                 L::kFrames, L::kRobot,      L::kLabels};
+  static const std::set<L> chart{L::kGrid, L::kScan, L::kLabels};
   static const std::map<ViewKind, LayerSets> sets{
       {ViewKind::kMap, {map, {L::kGrid, L::kTrajectory, L::kRobot}}},
       {ViewKind::kSubmap, {submap, submap}},
@@ -74,7 +75,8 @@ const LayerSets& LayerSetsOf(ViewKind kind) {
       {ViewKind::kMatch, {match, match}},
       {ViewKind::kSearch, {search, search}},
       {ViewKind::kGraph, {Union(graph, {L::kRefused, L::kCovariances}), graph}},
-      {ViewKind::kTime, {Union(time, {L::kIntra}), time}}};
+      {ViewKind::kTime, {Union(time, {L::kIntra}), time}},
+      {ViewKind::kChart, {chart, chart}}};
   return sets.at(kind);
 }
 

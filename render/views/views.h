@@ -15,5 +15,6 @@ Scene BuildMatchView(const Recording& recording, const ViewRequest& request, int
 Scene BuildSearchView(const Recording& recording, const ViewRequest& request, int oversampling);
 Scene BuildGraphView(GridCache* cache, const ViewRequest& request, int oversampling);
 Scene BuildTimeView(GridCache* cache, const ViewRequest& request, int oversampling);
+Scene BuildChartView(const Recording& recording, const ViewRequest& request, int oversampling);
 
 }  // namespace loopscope

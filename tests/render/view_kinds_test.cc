@@ -14,7 +14,7 @@ namespace {
 
 constexpr ViewKind kAllViews[] = {ViewKind::kMap,   ViewKind::kSubmap, ViewKind::kUpdate,
                                   ViewKind::kMatch, ViewKind::kSearch, ViewKind::kGraph,
-                                  ViewKind::kTime};
+                                  ViewKind::kTime,  ViewKind::kChart};
 
 TEST(ViewKindTest, NamesLeadBackToTheirKinds) {
   for (const ViewKind kind : kAllViews) EXPECT_EQ(ViewKindFromName(ToString(kind)), kind);
@@ -24,7 +24,7 @@ TEST(ViewKindTest, NamesLeadBackToTheirKinds) {
 TEST(ViewKindTest, AnUnknownNameIsRefusedWithTheKnownOnes) {
   EXPECT_EQ(MessageOf([] { ViewKindFromName("loop"); }),
             "unknown view 'loop': expected one of map, submap, update, match, search, graph, "
-            "time");
+            "time, chart");
 }
 
 TEST(LayerKindTest, NamesLeadBackToTheirKinds) {

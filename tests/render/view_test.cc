@@ -12,7 +12,7 @@ namespace {
 
 constexpr ViewKind kAllViews[] = {ViewKind::kMap,   ViewKind::kSubmap, ViewKind::kUpdate,
                                   ViewKind::kMatch, ViewKind::kSearch, ViewKind::kGraph,
-                                  ViewKind::kTime};
+                                  ViewKind::kTime,  ViewKind::kChart};
 
 const Recording& SmallLoop() {
   static const Recording recording = MapLog(SimulateSmallLoop().log, SmallLoopOptions());
@@ -99,6 +99,12 @@ TEST(BuildSceneTest, OnlyTheViewTimeLooksFromTheSideAskedFor) {
   EXPECT_EQ(WhyRefused(request),
             "view map is seen from above: expected azimuth and elevation for time");
   EXPECT_FALSE(BuildScene(SmallLoop(), RequestFor(ViewKind::kGraph)).panels[0].side.has_value());
+}
+
+TEST(BuildSceneTest, AChartHasNoMapToAimAt) {
+  ViewRequest request = RequestFor(ViewKind::kChart);
+  request.width_in_meters = 3.0;
+  EXPECT_EQ(WhyRefused(request), "view chart has no map: expected no center and no width of it");
 }
 
 TEST(BuildSceneTest, ACacheChangesNoScene) {

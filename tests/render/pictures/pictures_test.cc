@@ -24,6 +24,7 @@ struct Ask : ViewRequest {
     return center = Eigen::Vector2d(x, y), width_in_meters = meters, *this;
   }
   Ask& From(double degrees, double high) { return azimuth = degrees, elevation = high, *this; }
+  Ask& Chart(ChartKind kind) { return chart = kind, *this; }
   Ask& Layers(const std::set<LayerKind>& value) { return layers = value, *this; }
 };
 
@@ -77,6 +78,14 @@ PICTURE(time_from_above, Ask(V::kTime).From(0.0, 90.0))
 PICTURE(time_tiny, Ask(V::kTime).Size(320, 240))
 PICTURE(time_color_blind, Ask(V::kTime).From(70.0, 15.0).ColorBlind())
 PICTURE(time_with_intra, Ask(V::kTime).Layers({L::kGrid, L::kIntra, L::kNodes, L::kLabels}))
+PICTURE(chart_scores, Ask(V::kChart))
+PICTURE(chart_scores_at_first_step, Ask(V::kChart).Step(0))
+PICTURE(chart_scores_color_blind, Ask(V::kChart).ColorBlind())
+PICTURE(chart_scores_tiny, Ask(V::kChart).Size(320, 240))
+PICTURE(chart_score_histogram, Ask(V::kChart).Chart(ChartKind::kScoreHistogram))
+PICTURE(chart_residuals, Ask(V::kChart).Chart(ChartKind::kResiduals))
+PICTURE(chart_residual_histogram, Ask(V::kChart).Chart(ChartKind::kResidualHistogram))
+PICTURE(chart_costs, Ask(V::kChart).Chart(ChartKind::kCosts))
 
 TEST(PicturesTest, AreTheSameByEgl) {
   ExpectView("update", Ask(V::kUpdate).Step(140), Backend::kEgl);
