@@ -28,12 +28,13 @@ Recording MapLog(const ScanLog& log, const Options& options, int num_threads,
   for (int scan = 0; scan < progress.num_scans; ++scan) {
     SlamUpdate update = slam.AddScan(scan);
     if (writer != nullptr) writer->Append(update);
+    ++progress.num_steps;
+    progress.num_nodes += update.node ? 1 : 0;
+    progress.num_submaps += update.started_submap ? 1 : 0;
     progress.num_loops += NumAccepted(update.candidates);
+    const bool go_on = observer(update, progress);
     recording.Append(std::move(update));
-    progress.num_steps = recording.num_steps();
-    progress.num_nodes = static_cast<int>(recording.nodes().size());
-    progress.num_submaps = static_cast<int>(recording.submaps().size());
-    if (!observer(progress)) break;
+    if (!go_on) break;
   }
   return recording;
 }

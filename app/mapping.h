@@ -18,8 +18,8 @@ struct MappingProgress {
   int num_loops = 0;  ///< accepted
 };
 
-/// Told after every scan; mapping stops there if it says no.
-using MappingObserver = std::function<bool(const MappingProgress&)>;
+/// Told after every scan what it caused; mapping stops there if it says no.
+using MappingObserver = std::function<bool(const SlamUpdate&, const MappingProgress&)>;
 
 /// Maps a log and writes the recording, if `writer` is given, while it comes about. `num_threads`
 /// >= 1 searches run in the background. Throws FileError if the recording cannot be written.

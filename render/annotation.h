@@ -11,7 +11,7 @@ namespace loopscope {
 
 /// A small drawing that stands for something in a legend.
 struct Swatch {
-  enum class Kind { kFill, kOutline, kLine, kPoint, kFrame, kRobot };
+  enum class Kind { kFill, kHatch, kOutline, kLine, kPoint, kFrame, kRobot };
 
   Kind kind = Kind::kFill;
   Color color;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "render/layers/hatch.h"
 #include "render/layers/robot.h"
 #include "render/layers/shapes.h"
 #include "render/scale_bar.h"
@@ -63,6 +64,12 @@ void AnnotationPen::DrawSwatch(const Swatch& swatch, const Box& box) {
   switch (swatch.kind) {
     case Swatch::Kind::kFill:
       fills_.AddPolygon(Corners(box), swatch.color);
+      thin_.AddOutline(Corners(box), palette_.rule);
+      break;
+    case Swatch::Kind::kHatch:
+      fills_.AddPolygon(Corners(box), swatch.color);
+      AddHatch({Vector(box.left, box.bottom), Vector(box.right(), box.top())},
+               widths::kHatch * size_.unit, palette_.hatch, &thin_);
       thin_.AddOutline(Corners(box), palette_.rule);
       break;
     case Swatch::Kind::kOutline:

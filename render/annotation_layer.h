@@ -4,16 +4,12 @@
 
 #include <string>
 #include <vector>
-#include <vtkProp.h>
-#include <vtkSmartPointer.h>
 
 #include "render/annotation.h"
 #include "render/layout.h"
 #include "render/scene.h"
 
 namespace loopscope {
-
-using Props = std::vector<vtkSmartPointer<vtkProp>>;
 
 /// Title, legend, colour bars and facts in their boxes. Texts that are too long are shortened.
 Props DrawAnnotation(const Annotation& annotation, const Layout& layout, const Palette& palette);

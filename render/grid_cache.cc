@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/grid_cache.h"
 
+#include <iterator>
+
 #include "render/parallel.h"
 
 namespace loopscope {
@@ -21,9 +23,26 @@ std::vector<GridCache::Grid> GridCache::GridsOfState(const MapState& state) {
     grids[submap] = std::make_shared<const ProbabilityGrid>(
         GridOfSubmap(recording_, SubmapId{submap}, num_nodes));
   });
-  grids_.clear();
+  for (auto i = grids_.begin(); i != grids_.end();) {
+    i = IsOfFinishedSubmap(i->first) ? std::next(i) : grids_.erase(i);
+  }
   for (std::size_t i = 0; i < keys.size(); ++i) grids_.emplace(keys[i], grids[i]);
   return grids;
+}
+
+bool GridCache::Prefetch() {
+  for (SubmapId id{0}; id.index < static_cast<int>(recording_.submaps().size()); ++id.index) {
+    const Key key{id.index, recording_.submap(id).num_nodes};
+    if (!IsOfFinishedSubmap(key) || grids_.count(key) > 0) continue;
+    grids_.emplace(key, std::make_shared<const ProbabilityGrid>(GridOfSubmap(recording_, id)));
+    return true;
+  }
+  return false;
+}
+
+bool GridCache::IsOfFinishedSubmap(const Key& key) const {
+  const Submap& submap = recording_.submaps()[key.first];
+  return submap.finished_step >= 0 && submap.num_nodes == key.second;
 }
 
 }  // namespace loopscope

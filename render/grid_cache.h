@@ -25,11 +25,16 @@ class GridCache {
   const Recording& recording() const { return recording_; }
 
   /// The grids of all submaps as they were after state.step. Derives those that it has not, several
-  /// at a time, and forgets those that the state does not have.
+  /// at a time; keeps those of finished submaps, and of the others only those of this state.
   std::vector<Grid> GridsOfState(const MapState& state);
+
+  /// Derives the grid of one more finished submap ahead of its use. False if all are there.
+  bool Prefetch();
 
  private:
   using Key = std::pair<int, int>;  // submap, number of its nodes
+
+  bool IsOfFinishedSubmap(const Key& key) const;
 
   const Recording& recording_;
   std::map<Key, Grid> grids_;

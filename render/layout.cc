@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include <fmt/format.h>
+
 namespace loopscope {
 namespace {
 
@@ -72,11 +74,22 @@ std::vector<Box> GridCells(int count, const Box& area, double gap) {
   return cells;
 }
 
-/// Whole pixels, so that an image in the panel can be drawn pixel by pixel.
+std::vector<Box> SideBoxes(const Arrangement& arrangement, Box area, double gap) {
+  if (arrangement.last_share <= 0.0) return GridCells(arrangement.num_side_panels, area, gap);
+  const Box last = CutBottom(arrangement.last_share * area.height, &area);
+  CutBottom(gap, &area);
+  std::vector<Box> boxes = GridCells(arrangement.num_side_panels - 1, area, gap);
+  boxes.push_back(last);
+  return boxes;
+}
+
+/// Whole pixels, so that an image in the panel can be drawn pixel by pixel; one at least, so that
+/// whatever is drawn in it has a scale.
 Box Rounded(const Box& box) {
   const double left = std::ceil(box.left);
   const double bottom = std::ceil(box.bottom);
-  return {left, bottom, std::floor(box.right()) - left, std::floor(box.top()) - bottom};
+  return {left, bottom, std::max(1.0, std::floor(box.right()) - left),
+          std::max(1.0, std::floor(box.top()) - bottom)};
 }
 
 std::vector<PanelBoxes> PlacePanels(const SheetSize& size, const Arrangement& arrangement,
@@ -90,11 +103,13 @@ std::vector<PanelBoxes> PlacePanels(const SheetSize& size, const Arrangement& ar
     boxes.push_back(side_by_side ? CutLeft(arrangement.main_share * area.width, &area)
                                  : CutTop(arrangement.main_share * area.height, &area));
     side_by_side ? CutLeft(gap, &area) : CutTop(gap, &area);
-    for (const Box& cell : GridCells(arrangement.num_side_panels, area, gap)) boxes.push_back(cell);
+    for (const Box& cell : SideBoxes(arrangement, area, gap)) boxes.push_back(cell);
   }
   std::vector<PanelBoxes> panels;
   for (Box& box : boxes) {
-    const Box footer = CutBottom(arrangement.footer_rows * kRow * size.font, &box);
+    constexpr double kMaxFooterShare = 0.5;  // of a panel that is too small for its text
+    const Box footer = CutBottom(
+        std::min(arrangement.footer_rows * kRow * size.font, kMaxFooterShare * box.height), &box);
     panels.push_back({Rounded(box), Rounded(footer)});
   }
   return panels;
@@ -117,13 +132,17 @@ void PlaceColumn(const Annotation& annotation, Box* area, Layout* layout) {
 
 }  // namespace
 
-SheetSize MakeSheetSize(int width, int height, int oversampling) {
-  if (width < 320 || height < 240 || width > 8192 || height > 8192) {
-    throw std::invalid_argument("size " + std::to_string(width) + "x" + std::to_string(height) +
-                                ": expected a picture between 320x240 and 8192x8192");
+SheetSize MakeSheetSize(int width, int height, int oversampling,
+                        std::optional<int> text_height) {
+  if (width < kMinPictureWidth || height < kMinPictureHeight || width > kMaxPictureSide ||
+      height > kMaxPictureSide) {
+    throw std::invalid_argument(fmt::format(
+        "size {}x{}: expected a picture between {}x{} and {}x{}", width, height, kMinPictureWidth,
+        kMinPictureHeight, kMaxPictureSide, kMaxPictureSide));
   }
   const double shorter = std::min<double>(height, 0.75 * width);
-  const double font = std::max(8.0, 3.2 + 0.0135 * shorter);
+  const double fitting = std::max(8.0, 3.2 + 0.0135 * shorter);
+  const double font = text_height ? *text_height : fitting;
   SheetSize size;
   size.width = width * oversampling;
   size.height = height * oversampling;

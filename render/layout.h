@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "render/annotation.h"
@@ -9,6 +10,10 @@
 #include "render/text.h"
 
 namespace loopscope {
+
+constexpr int kMinPictureWidth = 200;   ///< [px]
+constexpr int kMinPictureHeight = 150;  ///< [px]
+constexpr int kMaxPictureSide = 8192;   ///< [px]
 
 /// Pixels of a picture and how large its text and strokes are.
 struct SheetSize {
@@ -19,8 +24,10 @@ struct SheetSize {
 };
 
 /// The size of a picture of width x height that is drawn with `oversampling` times as many pixels
-/// in each direction. Throws std::invalid_argument unless it is between 320x240 and 8192x8192.
-SheetSize MakeSheetSize(int width, int height, int oversampling);
+/// in each direction. Text is `text_height` high [px], or as fits the picture. Throws
+/// std::invalid_argument unless it is between the limits of a picture.
+SheetSize MakeSheetSize(int width, int height, int oversampling,
+                        std::optional<int> text_height = std::nullopt);
 
 /// Where a map stands and the strip with its scale bar and caption beneath.
 struct PanelBoxes {
@@ -47,6 +54,7 @@ struct Arrangement {
   int num_side_panels = 0;
   double main_share = 0.6;  ///< of the main panel, if there are others
   int footer_rows = 1;      ///< 2: the captions stand in a row of their own beneath the scale bars
+  double last_share = 0.0;  ///< of the last panel, beneath the other side panels; 0: like them
 };
 
 Layout LayOut(const SheetSize& size, const Annotation& annotation, const Arrangement& arrangement);

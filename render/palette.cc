@@ -53,8 +53,9 @@ Palette DefaultPalette() {
   p.bound = {{Rgb(0x440154), Rgb(0x3b528b), Rgb(0x21918c), Rgb(0x5ec962), Rgb(0xfde725)}};
   p.window = Rgb(0x1a73e8);
   p.expanded = Rgb(0x111111);
-  p.pruned = Rgb(0x8d949c);
+  p.hatch = WithOpacity(Rgb(0x3c444d), 0.55);
   p.winner = Rgb(0xe5178f);
+  p.too_low = Rgb(0x8d949c);
   p.trajectory = HueOf(0);
   p.node = Rgb(0xffffff);
   p.robot = Rgb(0xe5178f);
@@ -65,6 +66,8 @@ Palette DefaultPalette() {
   p.intra_residual = Rgb(0xff2a2a);
   p.covariance = Rgb(0x8ef0a8);
   p.refused = Rgb(0xff5ac8);
+  p.selection = Rgb(0xff8a00);
+  p.selection_edge = Rgb(0x15181c);
   return p;
 }
 
@@ -95,6 +98,7 @@ Palette ColorBlindPalette() {
   p.inter_residual = kSkyBlue;
   p.intra_residual = kPurple;
   p.covariance = Rgb(0xf0e442);
+  p.selection = Rgb(0xf0e442);
   return p;
 }
 

@@ -76,8 +76,9 @@ struct Palette {
   ColorMap bound;  ///< from low to high scores
   Color window;
   Color expanded;
-  Color pruned;
+  Color hatch;  ///< of pruned blocks
   Color winner;
+  Color too_low;  ///< the score of a search that found nothing
 
   // Graph.
   Color trajectory;
@@ -89,7 +90,9 @@ struct Palette {
   Color inter_residual;
   Color intra_residual;
   Color covariance;
-  Color refused;  ///< a loop that was found and not believed
+  Color refused;         ///< a loop that was found and not believed
+  Color selection;       ///< what the user looks at, seen on light and dark maps
+  Color selection_edge;  ///< around its lines
 };
 
 const Palette& PaletteOf(Theme theme);
@@ -104,6 +107,7 @@ constexpr double kBold = 2.6;
 constexpr double kScanPoint = 2.6;
 constexpr double kNode = 2.8;
 constexpr double kMark = 9.0;
+constexpr double kHatch = 4.5;  ///< between the lines of a hatch
 constexpr double kAxis = 16.0;  ///< length of the axes of a frame
 }  // namespace widths
 

@@ -16,36 +16,19 @@ void SetBackground(const Color& color, vtkRenderer* renderer) {
   renderer->SetBackground(color.r / 255.0, color.g / 255.0, color.b / 255.0);
 }
 
-void LookFrom(const SideView& side, const FlatCamera& flat, vtkRenderer* renderer) {
+void LookFrom(const SideView& side, const FlatCamera& flat, double height, vtkRenderer* renderer) {
   constexpr double kFar = 1e4;  // [m]
   const Eigen::Matrix3d map_from_view = side.ViewFromMap().transpose();
   const Eigen::Vector3d focus = map_from_view.leftCols<2>() * flat.center;
   const Eigen::Vector3d eye = focus + kFar * map_from_view.col(2);
   const Eigen::Vector3d up = map_from_view.col(1);
   vtkCamera* const camera = renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
   camera->SetPosition(eye.x(), eye.y(), eye.z());
   camera->SetFocalPoint(focus.x(), focus.y(), focus.z());
   camera->SetViewUp(up.x(), up.y(), up.z());
+  camera->SetParallelScale(0.5 * height * flat.meters_per_pixel);
   renderer->ResetCameraClippingRange();
-}
-
-void LookDown(const FlatCamera& flat, vtkRenderer* renderer) {
-  vtkCamera* const camera = renderer->GetActiveCamera();
-  camera->SetPosition(flat.center.x(), flat.center.y(), 1.0);
-  camera->SetFocalPoint(flat.center.x(), flat.center.y(), 0.0);
-  camera->SetViewUp(0.0, 1.0, 0.0);
-  camera->SetClippingRange(0.1, 2.0);
-}
-
-void PlaceCamera(const Panel& panel, vtkRenderer* renderer) {
-  vtkCamera* const camera = renderer->GetActiveCamera();
-  camera->ParallelProjectionOn();
-  camera->SetParallelScale(0.5 * panel.frame.height * panel.camera.meters_per_pixel);
-  if (panel.side) {
-    LookFrom(*panel.side, panel.camera, renderer);
-  } else {
-    LookDown(panel.camera, renderer);
-  }
 }
 
 vtkSmartPointer<vtkRenderer> PanelRenderer(const Panel& panel, const Scene& scene) {
@@ -94,8 +77,35 @@ Panel SheetOf(const Scene& scene) {
   sheet.frame = {0.0, 0.0, static_cast<double>(scene.width), static_cast<double>(scene.height)};
   sheet.camera = {{0.5 * scene.width, 0.5 * scene.height}, 1.0};
   sheet.canvas = scene.paper;
-  sheet.props = scene.annotation;
+  for (const auto& prop : scene.annotation) sheet.props.push_back({prop});
+  for (const Panel& panel : scene.panels) {
+    if (!panel.edge) continue;
+    for (const auto& prop : panel.edge(panel.camera)) sheet.props.push_back({prop});
+  }
   return sheet;
+}
+
+void LookDown(const FlatCamera& flat, double height, vtkRenderer* renderer) {
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetPosition(flat.center.x(), flat.center.y(), 1.0);
+  camera->SetFocalPoint(flat.center.x(), flat.center.y(), 0.0);
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  camera->SetParallelScale(0.5 * height * flat.meters_per_pixel);
+  camera->SetClippingRange(0.1, 2.0);
+}
+
+void PlaceCamera(const Panel& panel, vtkRenderer* renderer) {
+  if (panel.side) {
+    LookFrom(*panel.side, panel.camera, panel.frame.height, renderer);
+  } else {
+    LookDown(panel.camera, panel.frame.height, renderer);
+  }
+}
+
+void SetMoving(const Panel& panel, bool moving) {
+  const auto hidden = moving ? LayerProp::When::kAtRest : LayerProp::When::kMoving;
+  for (const LayerProp& layer : panel.props) layer.prop->SetVisibility(layer.when != hidden);
 }
 
 void FillRenderer(const Panel& panel, vtkRenderer* renderer) {
@@ -104,7 +114,8 @@ void FillRenderer(const Panel& panel, vtkRenderer* renderer) {
   // prop over those before it.
   vtkNew<vtkRenderStepsPass> steps;
   renderer->SetPass(steps);
-  for (const auto& prop : panel.props) renderer->AddViewProp(prop);
+  SetMoving(panel, false);
+  for (const LayerProp& layer : panel.props) renderer->AddViewProp(layer.prop);
   PlaceCamera(panel, renderer);
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 #include <vtkProp.h>
 #include <vtkRenderWindow.h>
@@ -14,6 +14,7 @@
 
 #include "render/box.h"
 #include "render/palette.h"
+#include "render/view_kinds.h"
 
 namespace loopscope {
 
@@ -43,14 +44,30 @@ FlatCamera CameraFor(const Extent& extent, const Box& frame);
 /// What the camera sees in `frame`.
 Extent VisibleExtent(const FlatCamera& camera, const Box& frame);
 
+using Props = std::vector<vtkSmartPointer<vtkProp>>;
+
+/// A part of a panel.
+struct LayerProp {
+  /// Where drawing takes long, a cheaper stand-in is drawn while the camera moves.
+  enum class When { kAlways, kAtRest, kMoving };
+
+  vtkSmartPointer<vtkProp> prop;
+  LayerKind kind = LayerKind::kGrid;
+  When when = When::kAlways;
+};
+
 /// A map with its own camera. It is drawn from the bottom to the top: `props` in their order, then
 /// texts.
 struct Panel {
   Box frame;  ///< [px] of the picture
   FlatCamera camera;
   Color canvas;  ///< where nothing is drawn
-  std::vector<vtkSmartPointer<vtkProp>> props;
+  std::vector<LayerProp> props;
+  bool is_map = true;  ///< its coordinates are metres of a map; false for a chart or from the side
   std::optional<SideView> side = std::nullopt;  ///< straight down without it
+  /// What stands around the panel while it is seen by a camera, in pixels of the picture: its
+  /// outline, and beneath the scale bar of a map and the caption. May be empty.
+  std::function<Props(const FlatCamera&)> edge = nullptr;
 };
 
 /// A picture before it is drawn: what VTK needs and nothing of how it came about.
@@ -59,14 +76,23 @@ struct Scene {
   int height = 0;        ///< [px]
   int oversampling = 1;  ///< pixels of the scene for one of the picture, in each direction
   Color paper;
-  std::vector<vtkSmartPointer<vtkProp>> annotation;  ///< in pixels
+  Props annotation;  ///< in pixels; without the edges of the panels
   std::vector<Panel> panels;
 };
+
+/// Makes `renderer` show what the camera sees in a panel of `height` pixels.
+void LookDown(const FlatCamera& camera, double height, vtkRenderer* renderer);
+
+/// Makes `renderer` show what the camera of `panel` sees, from above or from its side.
+void PlaceCamera(const Panel& panel, vtkRenderer* renderer);
 
 /// The whole picture as the panel beneath the others: its paper and its annotation, in pixels.
 Panel SheetOf(const Scene& scene);
 
-/// Fills `renderer` with a panel, its camera included.
+/// Shows those parts of a panel that are drawn while its camera moves, or while it is at rest.
+void SetMoving(const Panel& panel, bool moving);
+
+/// Fills `renderer` with a panel at rest, its camera included.
 void FillRenderer(const Panel& panel, vtkRenderer* renderer);
 
 /// Fills `window` with the scene, in place of what it showed. The window should have the size of

@@ -47,8 +47,14 @@ vtkSmartPointer<vtkTextProperty> MakeTextProperty(const TextStyle& style, Align 
   return property;
 }
 
+std::mutex& FontLock() {
+  static std::mutex lock;
+  return lock;
+}
+
 double TextWidth(const std::string& text, const TextStyle& style) {
   if (text.empty()) return 0.0;
+  const std::lock_guard<std::mutex> lock(FontLock());
   int box[4] = {0, 0, 0, 0};  // x from box[0] to box[1], both inside
   vtkTextRenderer::GetInstance()->GetBoundingBox(MakeTextProperty(style, Align::kLeft), text, box,
                                                  kDotsPerInch);

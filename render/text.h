@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <mutex>
 #include <string>
 #include <vector>
 #include <vtkSmartPointer.h>
@@ -25,6 +26,10 @@ enum class Align { kLeft, kCenter, kRight };
 
 /// VTK's description of `style`. Throws std::runtime_error if the font is not installed.
 vtkSmartPointer<vtkTextProperty> MakeTextProperty(const TextStyle& style, Align align);
+
+/// VTK has one set of fonts for all threads. TextWidth holds this lock while it measures; a program
+/// that measures on one thread and draws on another has to hold it while it draws.
+std::mutex& FontLock();
 
 /// [px]
 double TextWidth(const std::string& text, const TextStyle& style);

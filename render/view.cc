@@ -3,22 +3,48 @@
 #include "render/view.h"
 
 #include <stdexcept>
+#include <tuple>
+
+#include <fmt/format.h>
 
 #include "render/views/views.h"
 
 namespace loopscope {
 namespace {
 
+void RequireLayer(ViewKind view, LayerKind kind) {
+  const std::set<LayerKind>& all = LayersOf(view);
+  if (all.count(kind) > 0) return;
+  std::string expected;
+  for (const LayerKind known : all) expected += (expected.empty() ? "" : ", ") + ToString(known);
+  throw std::invalid_argument("view " + ToString(view) + " has no layer '" + ToString(kind) +
+                              "': expected some of " + expected);
+}
+
 void RequireLayers(const ViewRequest& request) {
-  if (!request.layers) return;
-  const std::set<LayerKind>& all = LayersOf(request.view);
-  for (const LayerKind kind : *request.layers) {
-    if (all.count(kind) > 0) continue;
-    std::string expected;
-    for (const LayerKind known : all) expected += (expected.empty() ? "" : ", ") + ToString(known);
-    throw std::invalid_argument("view " + ToString(request.view) + " has no layer '" +
-                                ToString(kind) + "': expected some of " + expected);
+  if (request.layers) {
+    for (const LayerKind kind : *request.layers) RequireLayer(request.view, kind);
   }
+  for (const auto& [kind, opacity] : request.opacities) {
+    RequireLayer(request.view, kind);
+    if (opacity >= 0.0 && opacity <= 1.0) continue;
+    throw std::invalid_argument(
+        fmt::format("opacity of layer '{}' is {:g}: expected 0 to 1", ToString(kind), opacity));
+  }
+}
+
+void RequireTextHeight(const ViewRequest& request) {
+  constexpr int kMin = 8, kMax = 200;
+  if (!request.text_height) return;
+  if (*request.text_height >= kMin && *request.text_height <= kMax) return;
+  throw std::invalid_argument(
+      fmt::format("text is {} px high: expected {} to {}", *request.text_height, kMin, kMax));
+}
+
+void RequireFilter(const ViewRequest& request) {
+  if (request.search.empty() || request.view == ViewKind::kSearch) return;
+  throw std::invalid_argument("view " + ToString(request.view) +
+                              " has no visits, heights or angles: expected view search");
 }
 
 void RequireCamera(const ViewRequest& request) {
@@ -46,6 +72,15 @@ void RequireSide(const ViewRequest& request) {
 
 }  // namespace
 
+bool operator==(const ViewRequest& a, const ViewRequest& b) {
+  const auto fields = [](const ViewRequest& r) {
+    return std::tie(r.view, r.step, r.node, r.submap, r.width, r.height, r.theme, r.title, r.layers,
+                    r.opacities, r.center, r.width_in_meters, r.azimuth, r.elevation, r.chart,
+                    r.text_height, r.search.num_visits, r.search.height, r.search.angle_index);
+  };
+  return fields(a) == fields(b);
+}
+
 int OversamplingOf(const ViewRequest& request) {
   constexpr double kMaxPixels = 3840.0 * 2160.0;
   return 1.0 * request.width * request.height > kMaxPixels ? 1 : 2;
@@ -58,8 +93,10 @@ Scene BuildScene(const Recording& recording, const ViewRequest& request, int ove
 
 Scene BuildScene(GridCache* cache, const ViewRequest& request, int oversampling) {
   RequireLayers(request);
+  RequireFilter(request);
   RequireCamera(request);
   RequireSide(request);
+  RequireTextHeight(request);
   const Recording& recording = cache->recording();
   switch (request.view) {
     case ViewKind::kMap:

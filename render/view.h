@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -13,6 +14,7 @@
 #include "render/grid_cache.h"
 #include "render/palette.h"
 #include "render/scene.h"
+#include "render/search_filter.h"
 #include "render/view_kinds.h"
 
 namespace loopscope {
@@ -20,20 +22,27 @@ namespace loopscope {
 /// What to draw of a recording, and how. Whatever is left out is chosen by the view.
 struct ViewRequest {
   ViewKind view = ViewKind::kMap;
-  std::optional<int> step;     ///< the state after this scan; the last one
-  std::optional<NodeId> node;  ///< for update and match (then its step is the default) and search
-  std::optional<SubmapId> submap;  ///< for submap, update and search
-  int width = 1280;                ///< [px], 320 or more
-  int height = 720;                ///< [px], 240 or more
+  std::optional<int> step;  ///< the state after this scan; the last one
+  /// The subject of update and match (then its step is the default) and search; selected in map and
+  /// graph.
+  std::optional<NodeId> node;
+  std::optional<SubmapId> submap;  ///< likewise of submap, update and search; in map and graph
+  SearchFilter search;             ///< for search only
+  int width = 1280;                ///< [px], kMinPictureWidth or more
+  int height = 720;                ///< [px], likewise
   Theme theme = Theme::kDefault;
   std::string title;                          ///< instead of the view's own
   std::optional<std::set<LayerKind>> layers;  ///< those to draw, a part of LayersOf(view)
+  std::map<LayerKind, double> opacities;      ///< in [0, 1], of layers of the view; 1 if left out
   std::optional<Eigen::Vector2d> center;      ///< [m] of the main panel, in the frame of the view
   std::optional<double> width_in_meters;      ///< of the main panel
   std::optional<double> azimuth;              ///< [deg] for time: from which side, see SideView
   std::optional<double> elevation;            ///< [deg] for time: 0 from the side to 90 from above
   ChartKind chart = ChartKind::kScores;       ///< for chart
+  std::optional<int> text_height;  ///< [px], 8 to 200; grows with the picture if left out
 };
+
+bool operator==(const ViewRequest& a, const ViewRequest& b);
 
 /// Pixels of the scene for one of the picture, each way: 2 up to 3840x2160, for smooth edges; 1 for
 /// larger ones, of which four times as many do not fit in memory.

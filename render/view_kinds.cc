@@ -40,6 +40,7 @@ const Names<LayerKind>& LayerNames() {
                                       {LayerKind::kCovariances, "covariances"},
                                       {LayerKind::kFrames, "frames"},
                                       {LayerKind::kRobot, "robot"},
+                                      {LayerKind::kSelection, "selection"},
                                       {LayerKind::kLabels, "labels"}};
   return names;
 }
@@ -56,20 +57,21 @@ std::set<LayerKind> Union(std::set<LayerKind> some, const std::set<LayerKind>& o
 
 const LayerSets& LayerSetsOf(ViewKind kind) {
   using L = LayerKind;
-  static const std::set<L> map{L::kGrid,   L::kTrajectory, L::kNodes,
-                               L::kFrames, L::kRobot,      L::kLabels};
+  static const std::set<L> map{L::kGrid,  L::kTrajectory, L::kNodes, L::kFrames,
+                               L::kRobot, L::kSelection,  L::kLabels};
   static const std::set<L> submap{L::kGrid, L::kTrajectory, L::kNodes, L::kScan, L::kFrames};
   static const std::set<L> update{L::kGrid, L::kMisses, L::kHits, L::kOdds,
                                   L::kRays, L::kWindow, L::kRobot};
   static const std::set<L> match{L::kGrid, L::kWindow, L::kResiduals, L::kScan, L::kRobot};
   static const std::set<L> search{L::kGrid, L::kTree, L::kWindow, L::kScan, L::kRobot};
-  static const std::set<L> graph{L::kGrid,      L::kIntra,  L::kTrajectory, L::kNodes, L::kInter,
-                                 L::kResiduals, L::kFrames, L::kRobot,      L::kLabels};
+  static const std::set<L> graph{L::kGrid,      L::kIntra,     L::kTrajectory, L::kNodes,
+                                 L::kInter,     L::kResiduals, L::kFrames,     L::kRobot,
+                                 L::kSelection, L::kLabels};
   static const std::set<L> time{L::kGrid,   L::kTrajectory, L::kNodes, L::kInter,
                                 L::kFrames, L::kRobot,      L::kLabels};
   static const std::set<L> chart{L::kGrid, L::kScan, L::kLabels};
   static const std::map<ViewKind, LayerSets> sets{
-      {ViewKind::kMap, {map, {L::kGrid, L::kTrajectory, L::kRobot}}},
+      {ViewKind::kMap, {map, {L::kGrid, L::kTrajectory, L::kRobot, L::kSelection}}},
       {ViewKind::kSubmap, {submap, submap}},
       {ViewKind::kUpdate, {update, update}},
       {ViewKind::kMatch, {match, match}},

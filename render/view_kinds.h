@@ -37,6 +37,7 @@ enum class LayerKind {
   kCovariances,
   kFrames,
   kRobot,
+  kSelection,
   kLabels,
 };
 

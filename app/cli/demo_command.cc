@@ -55,7 +55,7 @@ std::optional<Recording> Map(const ScanLog& log, const std::string& path) {
   ProgressBar bar;
   const int num_threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   Recording recording =
-      MapLog(log, options, num_threads, &writer, [&](const MappingProgress& progress) {
+      MapLog(log, options, num_threads, &writer, [&](const SlamUpdate&, const MappingProgress& progress) {
         bar.Show(progress);
         return !InterruptGuard::interrupted();
       });

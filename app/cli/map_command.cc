@@ -67,7 +67,7 @@ int RunMap(const MapArguments& arguments) {
   const InterruptGuard guard;
   ProgressBar bar;
   const Recording recording =
-      MapLog(log, options, arguments.num_threads, &writer, [&](const MappingProgress& progress) {
+      MapLog(log, options, arguments.num_threads, &writer, [&](const SlamUpdate&, const MappingProgress& progress) {
         bar.Show(progress);
         return !InterruptGuard::interrupted();
       });

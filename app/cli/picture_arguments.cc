@@ -11,6 +11,7 @@
 
 #include "core/io/replace_file.h"
 #include "core/io/words.h"
+#include "render/layout.h"
 #include "render/picture_format.h"
 #include "render/vector/vector_picture.h"
 
@@ -26,6 +27,10 @@ void AddPictureArguments(CLI::App* command, PictureArguments* arguments) {
   command->add_option("--title", arguments->title, "Title instead of the view's own")
       ->type_name("TEXT");
   command
+      ->add_option("--text", arguments->text_height,
+                   "Height of the text in pixels (default: grows with the picture)")
+      ->type_name("PIXELS");
+  command
       ->add_option(
           "--backend", arguments->backend,
           "Who draws: osmesa, egl, or auto (the default: osmesa if it works). None needs a "
@@ -39,17 +44,18 @@ void ApplyTo(const PictureArguments& arguments, ViewRequest* request) {
   const std::size_t cross = std::min(size.find('x'), size.size());
   const auto width = ParseInt(size.substr(0, cross));
   const auto height = ParseInt(size.substr(std::min(cross + 1, size.size())));
-  constexpr int kMinWidth = 320, kMinHeight = 240, kMaxSide = 8192;
-  if (!width || !height || *width < kMinWidth || *height < kMinHeight || *width > kMaxSide ||
-      *height > kMaxSide) {
+  if (!width || !height || *width < kMinPictureWidth || *height < kMinPictureHeight ||
+      *width > kMaxPictureSide || *height > kMaxPictureSide) {
     throw std::invalid_argument(
         fmt::format("--size {}: expected width and height in pixels, {}x{} to {}x{}",
-                    arguments.size, kMinWidth, kMinHeight, kMaxSide, kMaxSide));
+                    arguments.size, kMinPictureWidth, kMinPictureHeight, kMaxPictureSide,
+                    kMaxPictureSide));
   }
   request->width = *width;
   request->height = *height;
   request->theme = ThemeFromName(arguments.theme);
   request->title = arguments.title;
+  request->text_height = arguments.text_height;
 }
 
 void DrawPicture(const Recording& recording, const ViewRequest& request, Backend backend,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "render/headless/painter.h"
@@ -19,6 +20,7 @@ struct PictureArguments {
   std::string size = "1280x720";
   std::string theme = "default";
   std::string title;
+  std::optional<int> text_height;  // [px]
   std::string backend = "auto";
 };
 

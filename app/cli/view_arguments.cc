@@ -2,11 +2,48 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/view_arguments.h"
 
+#include <algorithm>
+#include <stdexcept>
+#include <string_view>
+
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "app/cli/run_arguments.h"
+#include "core/io/words.h"
 
 namespace loopscope {
+namespace {
+
+/// Adds `text`, which is "grid" or, with an opacity, "grid:0.4".
+void AddLayer(const std::string& text, ViewRequest* request) {
+  const std::size_t colon = std::min(text.find(':'), text.size());
+  const LayerKind kind = LayerKindFromName(text.substr(0, colon));
+  request->layers->insert(kind);
+  if (colon == text.size()) return;
+  const auto opacity = ParseDouble(std::string_view(text).substr(colon + 1));
+  if (!opacity || !(*opacity >= 0.0 && *opacity <= 1.0)) {
+    throw std::invalid_argument(
+        fmt::format("--layers {}: expected an opacity of 0 to 1 behind the colon", text));
+  }
+  request->opacities[kind] = *opacity;
+}
+
+void AddSearchFilter(CLI::App* command, SearchFilter* filter) {
+  command
+      ->add_option("--visits", filter->num_visits,
+                   "Show the search as it was after so many visits of its tree (search)")
+      ->type_name("K");
+  command->add_option("--height", filter->height, "Show the blocks of this height only (search)")
+      ->type_name("H");
+  command
+      ->add_option("--angle", filter->angle_index,
+                   "Show the blocks of this angle only: 0 is that of the estimate, 1 the next one "
+                   "to the left (search)")
+      ->type_name("I");
+}
+
+}  // namespace
 
 void AddViewArguments(CLI::App* command, ViewArguments* arguments) {
   command
@@ -21,13 +58,19 @@ void AddViewArguments(CLI::App* command, ViewArguments* arguments) {
                    "  time    the graph from the side, with time upwards over the map\n"
                    "  chart   numbers of the run, see --chart")
       ->type_name("VIEW");
-  command->add_option("--node", arguments->node, "Node to show (update, match, search)")
+  command
+      ->add_option("--node", arguments->node,
+                   "Node to show (update, match, search) or to mark (map, graph)")
       ->type_name("N");
-  command->add_option("--submap", arguments->submap, "Submap to show (submap, update, search)")
+  command
+      ->add_option("--submap", arguments->submap,
+                   "Submap to show (submap, update, search) or to mark (map, graph)")
       ->type_name("M");
+  AddSearchFilter(command, &arguments->search);
   command
       ->add_option("--layers", arguments->layers,
-                   "Draw only these layers of the view, e.g. grid,nodes,inter")
+                   "Draw only these layers of the view, each with an opacity behind a colon if it "
+                   "is to be clearer, e.g. grid:0.4,nodes,inter")
       ->type_name("A,B,...")
       ->delimiter(',');
   command->add_option("--center", arguments->center, "Point in the middle [m], in the view's frame")
@@ -59,11 +102,10 @@ ViewRequest ToRequest(const ViewArguments& arguments, const Recording& recording
   request.view = ViewKindFromName(arguments.view);
   if (arguments.node) request.node = NodeOf(recording, *arguments.node);
   if (arguments.submap) request.submap = SubmapOf(recording, *arguments.submap);
+  request.search = arguments.search;
   if (!arguments.layers.empty()) {
     request.layers.emplace();
-    for (const std::string& name : arguments.layers) {
-      request.layers->insert(LayerKindFromName(name));
-    }
+    for (const std::string& layer : arguments.layers) AddLayer(layer, &request);
   }
   if (!arguments.center.empty()) {
     request.center = Eigen::Vector2d(arguments.center[0], arguments.center[1]);

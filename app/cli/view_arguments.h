@@ -16,6 +16,7 @@ struct ViewArguments {
   std::string view = "map";
   std::optional<int> node;
   std::optional<int> submap;
+  SearchFilter search;
   std::vector<std::string> layers;
   std::vector<double> center;
   std::optional<double> width_in_meters;

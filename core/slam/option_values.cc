@@ -6,12 +6,13 @@
 #include <cassert>
 #include <charconv>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <sstream>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "core/slam/edit_distance.h"
 
 namespace loopscope {
 namespace {
@@ -34,21 +35,6 @@ std::string Trim(const std::string& text) {
   const size_t begin = text.find_first_not_of(kBlanks);
   if (begin == std::string::npos) return "";
   return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
-}
-
-// Number of letters to insert, drop or replace (Levenshtein 1966).
-int EditDistance(const std::string& a, const std::string& b) {
-  std::vector<int> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0);
-  for (size_t i = 0; i < a.size(); ++i) {
-    int diagonal = row[0]++;
-    for (size_t j = 0; j < b.size(); ++j) {
-      const int replaced = diagonal + (a[i] != b[j]);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
 }
 
 // `key` in two: the groups, and the name after the last dot.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -70,9 +71,10 @@ struct SlamUpdate {
 /// Inputs and decisions of a run: everything else follows from them (see derive.h).
 class Recording {
  public:
-  Recording(ScanLog log, Options options) : log_(std::move(log)), options_(std::move(options)) {}
+  Recording(ScanLog log, Options options)
+      : log_(std::make_shared<const ScanLog>(std::move(log))), options_(std::move(options)) {}
 
-  const ScanLog& log() const { return log_; }
+  const ScanLog& log() const { return *log_; }
   const Options& options() const { return options_; }
 
   /// Adds what the next scan caused.
@@ -91,7 +93,7 @@ class Recording {
   const std::vector<Optimization>& optimizations() const { return optimizations_; }
 
  private:
-  ScanLog log_;
+  std::shared_ptr<const ScanLog> log_;  // the large part, which copies share
   Options options_;
   std::vector<Step> steps_;
   std::vector<Node> nodes_;

@@ -87,7 +87,7 @@ Color ColorOf(ChartSubject subject, const Palette& palette) {
     case ChartSubject::kBefore:
       return palette.prior;
     case ChartSubject::kBelowMinScore:
-      return palette.pruned;
+      return palette.too_low;
     case ChartSubject::kWorst:
       return palette.hit;
     case ChartSubject::kMean:

@@ -19,6 +19,15 @@ std::vector<PlacedConstraint> PlaceConstraints(const std::vector<Constraint>& co
   return placed;
 }
 
+std::vector<PlacedConstraint> Thinned(const std::vector<PlacedConstraint>& constraints,
+                                      int max_count) {
+  const std::size_t max_size = static_cast<std::size_t>(max_count);
+  const std::size_t step = (constraints.size() + max_size - 1) / max_size;
+  std::vector<PlacedConstraint> some;
+  for (std::size_t i = 0; i < constraints.size(); i += step) some.push_back(constraints[i]);
+  return some;
+}
+
 vtkSmartPointer<vtkActor> InterConstraintsLayer(const std::vector<PlacedConstraint>& constraints,
                                                 const Color& color, double line_width) {
   Shapes shapes;

@@ -28,6 +28,10 @@ struct PlacedConstraint {
 std::vector<PlacedConstraint> PlaceConstraints(const std::vector<Constraint>& constraints,
                                                Constraint::Tag tag, const MapState& state);
 
+/// Every k-th of `constraints`, evenly spread, so that there are at most `max_count`.
+std::vector<PlacedConstraint> Thinned(const std::vector<PlacedConstraint>& constraints,
+                                      int max_count);
+
 /// A line from each submap to the expected place of its node.
 vtkSmartPointer<vtkActor> InterConstraintsLayer(const std::vector<PlacedConstraint>& constraints,
                                                 const Color& color, double line_width);

@@ -11,6 +11,31 @@
 #include "render/layers/shapes.h"
 
 namespace loopscope {
+namespace {
+
+constexpr double kPlateMargin = 2.0;  // [px] around a text
+
+/// Where the text stands in the panel [px].
+Box BoxOf(const Label& label, const FlatCamera& camera, const Box& frame, const TextStyle& style) {
+  const Eigen::Vector2d anchor = (label.anchor - camera.center) / camera.meters_per_pixel +
+                                 0.5 * Eigen::Vector2d(frame.width, frame.height);
+  return {anchor.x() - kPlateMargin, anchor.y() - kPlateMargin,
+          TextWidth(label.text, style) + 2.0 * kPlateMargin, 1.3 * style.size + 2.0 * kPlateMargin};
+}
+
+}  // namespace
+
+Label MovedInside(const Label& label, const FlatCamera& camera, const Box& frame,
+                  const TextStyle& style) {
+  constexpr double kRounding = 0.5;  // [px] that a text may reach out of a panel otherwise
+  const Box box = BoxOf(label, camera, frame, style);
+  const auto move = [](double low, double size, double room) {
+    return std::max(kRounding - low, std::min(0.0, room - kRounding - low - size));
+  };
+  const Eigen::Vector2d moved(move(box.left, box.width, frame.width),
+                              move(box.bottom, box.height, frame.height));
+  return {label.anchor + camera.meters_per_pixel * moved, label.text};
+}
 
 std::vector<Label> WithoutOverlaps(const std::vector<Label>& labels, const FlatCamera& camera,
                                    const Box& frame, const TextStyle& style) {
@@ -18,10 +43,7 @@ std::vector<Label> WithoutOverlaps(const std::vector<Label>& labels, const FlatC
   std::vector<Box> taken;
   std::vector<Label> kept;
   for (const Label& label : labels) {
-    const Eigen::Vector2d anchor = (label.anchor - camera.center) / camera.meters_per_pixel +
-                                   0.5 * Eigen::Vector2d(frame.width, frame.height);
-    const Box box{anchor.x() - 2.0, anchor.y() - 2.0, TextWidth(label.text, style) + 4.0,
-                  1.3 * style.size + 4.0};
+    const Box box = BoxOf(label, camera, frame, style);
     const bool inside = box.left >= 0.0 && box.bottom >= 0.0 && box.right() <= panel.width &&
                         box.top() <= panel.height;
     const auto touches = [&](const Box& other) { return Overlap(box, other); };

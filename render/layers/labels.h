@@ -24,6 +24,10 @@ struct Label {
 std::vector<Label> WithoutOverlaps(const std::vector<Label>& labels, const FlatCamera& camera,
                                    const Box& frame, const TextStyle& style);
 
+/// The label, moved no farther than needed for its text to lie within the panel.
+Label MovedInside(const Label& label, const FlatCamera& camera, const Box& frame,
+                  const TextStyle& style);
+
 /// Each text at its anchor, on a half clear plate of colour `plate`.
 vtkSmartPointer<vtkActor2D> LabelsLayer(const std::vector<Label>& labels, const TextStyle& style,
                                         const Color& plate);

@@ -5,35 +5,38 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace loopscope {
 namespace {
 
-bool WasExpanded(const SearchNode& node) { return node.fate != SearchFate::kPruned; }
-
-/// Whether `a` says more about its block than `b`.
-bool SaysMore(const SearchNode& a, const SearchNode& b) {
-  return std::pair(WasExpanded(a), a.bound) > std::pair(WasExpanded(b), b.bound);
+/// Whether node `a` says more about its block than `b`.
+bool SaysMore(const SearchPart& part, int a, int b) {
+  const auto rank = [&](int node) {
+    return std::tuple(part.WasExpanded(node), !part.WasPruned(node),
+                      part.trace().nodes[node].bound);
+  };
+  return rank(a) > rank(b);
 }
 
 /// Of the `nodes` with the same key, the one that says most, in the order of the keys.
 template <typename KeyOf>
-std::vector<int> OneForEach(const std::vector<int>& nodes, const SearchTrace& trace,
+std::vector<int> OneForEach(const std::vector<int>& nodes, const SearchPart& part,
                             const KeyOf& key_of) {
   std::map<std::pair<int, int>, int> best;
   for (const int i : nodes) {
-    const auto [place, is_new] = best.try_emplace(key_of(trace.nodes[i]), i);
-    if (!is_new && SaysMore(trace.nodes[i], trace.nodes[place->second])) place->second = i;
+    const auto [place, is_new] = best.try_emplace(key_of(part.trace().nodes[i]), i);
+    if (!is_new && SaysMore(part, i, place->second)) place->second = i;
   }
   std::vector<int> shown;
   for (const auto& [key, node] : best) shown.push_back(node);
   return shown;
 }
 
-Color FillOf(const SearchNode& node, const BoundRange& range, const Palette& palette) {
-  const Color color = palette.bound.At(range.PlaceOf(node.bound));
-  return WasExpanded(node) ? color : WithOpacity(color, kPrunedOpacity);
+Color FillOf(const SearchPart& part, int node, const BoundRange& range, const Palette& palette) {
+  const Color color = palette.bound.At(range.PlaceOf(part.trace().nodes[node].bound));
+  return part.WasPruned(node) ? WithOpacity(color, kPrunedOpacity) : color;
 }
 
 int NumHeights(const SearchTrace& trace) {
@@ -61,20 +64,23 @@ Extent PosesExtent(const CellIndex& min, int size, const SearchWindow& window) {
 
 }  // namespace
 
-std::vector<SearchLevel> LevelsOf(const SearchTrace& trace) {
+std::vector<SearchLevel> LevelsOf(const SearchPart& part) {
+  const SearchTrace& trace = part.trace();
   std::map<int, std::vector<int>, std::greater<>> nodes_at_height;
   for (int i = 0; i < static_cast<int>(trace.nodes.size()); ++i) {
-    nodes_at_height[trace.nodes[i].height].push_back(i);
+    const int height = trace.nodes[i].height;
+    if (part.filter().height && *part.filter().height != height) continue;
+    std::vector<int>& nodes = nodes_at_height[height];
+    if (part.Shows(i)) nodes.push_back(i);
   }
   std::vector<SearchLevel> levels;
   for (const auto& [height, nodes] : nodes_at_height) {
-    SearchLevel level;
-    level.height = height;
-    level.num_scored = static_cast<int>(nodes.size());
-    level.num_expanded = static_cast<int>(std::count_if(
-        nodes.begin(), nodes.end(), [&](int i) { return WasExpanded(trace.nodes[i]); }));
-    level.num_pruned = level.num_scored - level.num_expanded;
-    level.shown = OneForEach(nodes, trace, [](const SearchNode& node) {
+    SearchLevel level{height, static_cast<int>(nodes.size()), 0, 0, {}};
+    for (const int i : nodes) {
+      level.num_expanded += part.WasExpanded(i);
+      level.num_pruned += part.WasPruned(i);
+    }
+    level.shown = OneForEach(nodes, part, [](const SearchNode& node) {
       return std::pair(node.offset.x, node.offset.y);
     });
     levels.push_back(std::move(level));
@@ -100,47 +106,78 @@ Extent WindowExtent(const SearchWindow& window) {
   return PosesExtent({-steps, -steps}, 2 * steps + 1, window);
 }
 
-vtkSmartPointer<vtkActor> BlocksLayer(const SearchTrace& trace, const SearchLevel& level,
+Extent ExtentOfHeight(const SearchTrace& trace, int height) {
+  Extent extent;
+  for (const SearchNode& node : trace.nodes) {
+    if (node.height == height) extent.extend(BlockOf(node, trace.window));
+  }
+  return extent;
+}
+
+vtkSmartPointer<vtkActor> BlocksLayer(const SearchPart& part, const SearchLevel& level,
                                       const BoundRange& range, const Palette& palette) {
+  const SearchTrace& trace = part.trace();
   Shapes shapes;
   for (const int i : level.shown) {
-    const SearchNode& node = trace.nodes[i];
-    shapes.AddPolygon(CornersOf(BlockOf(node, trace.window)), FillOf(node, range, palette));
+    shapes.AddPolygon(CornersOf(BlockOf(trace.nodes[i], trace.window)),
+                      FillOf(part, i, range, palette));
   }
   return MakeActor(shapes.Build());
 }
 
-Eigen::Vector2d FieldOf(const SearchNode& node, const SearchTrace& trace, double aspect) {
-  const Eigen::Vector2d place(node.angle_index + trace.window.num_angular_steps + 0.5,
-                              node.height + 0.5);
-  return FieldSize(trace, aspect).cwiseProduct(place);
+std::vector<Extent> PrunedBlocks(const SearchPart& part, const SearchLevel& level) {
+  std::vector<Extent> blocks;
+  for (const int i : level.shown) {
+    if (part.WasPruned(i)) blocks.push_back(BlockOf(part.trace().nodes[i], part.trace().window));
+  }
+  return blocks;
 }
 
-vtkSmartPointer<vtkActor> AnglesLayer(const SearchTrace& trace, const BoundRange& range,
-                                      double aspect, const Palette& palette) {
-  std::vector<int> all(trace.nodes.size());
+Extent FieldOf(const SearchNode& node, const SearchTrace& trace, double aspect) {
+  const Eigen::Vector2d size = FieldSize(trace, aspect);
+  const Eigen::Vector2d place(node.angle_index + trace.window.num_angular_steps, node.height);
+  const Eigen::Vector2d min = size.cwiseProduct(place);
+  return Extent(min, min + size);
+}
+
+Extent ColumnOf(int angle_index, const SearchTrace& trace, double aspect) {
+  const double width = FieldSize(trace, aspect).x();
+  const double left = width * (angle_index + trace.window.num_angular_steps);
+  return Extent(Eigen::Vector2d(left, 0.0), Eigen::Vector2d(left + width, 1.0));
+}
+
+std::vector<int> NodesByAngle(const SearchPart& part) {
+  std::vector<int> all(part.num_scored());
   std::iota(all.begin(), all.end(), 0);
-  const Eigen::Vector2d half = 0.5 * FieldSize(trace, aspect);
+  return OneForEach(
+      all, part, [](const SearchNode& node) { return std::pair(node.angle_index, node.height); });
+}
+
+vtkSmartPointer<vtkActor> AnglesLayer(const SearchPart& part, const BoundRange& range,
+                                      double aspect, const Palette& palette) {
   Shapes shapes;
-  for (const int i : OneForEach(all, trace, [](const SearchNode& node) {
-         return std::pair(node.angle_index, node.height);
-       })) {
-    const SearchNode& node = trace.nodes[i];
-    const Eigen::Vector2d middle = FieldOf(node, trace, aspect);
-    shapes.AddPolygon(CornersOf(Extent(middle - half, middle + half)),
-                      FillOf(node, range, palette));
+  for (const int i : NodesByAngle(part)) {
+    shapes.AddPolygon(CornersOf(FieldOf(part.trace().nodes[i], part.trace(), aspect)),
+                      FillOf(part, i, range, palette));
   }
   return MakeActor(shapes.Build());
 }
 
-vtkSmartPointer<vtkActor> ExpandedLayer(const SearchTrace& trace, const SearchLevel& level,
+std::vector<Extent> PrunedFields(const SearchPart& part, double aspect) {
+  std::vector<Extent> fields;
+  for (const int i : NodesByAngle(part)) {
+    if (part.WasPruned(i)) fields.push_back(FieldOf(part.trace().nodes[i], part.trace(), aspect));
+  }
+  return fields;
+}
+
+vtkSmartPointer<vtkActor> ExpandedLayer(const SearchPart& part, const SearchLevel& level,
                                         double line_width, const Palette& palette) {
   Shapes shapes;
   for (const int i : level.shown) {
-    const SearchNode& node = trace.nodes[i];
-    if (WasExpanded(node)) {
-      shapes.AddOutline(CornersOf(BlockOf(node, trace.window)), palette.expanded);
-    }
+    if (!part.WasExpanded(i)) continue;
+    shapes.AddOutline(CornersOf(BlockOf(part.trace().nodes[i], part.trace().window)),
+                      palette.expanded);
   }
   return MakeActor(shapes.Build(), {line_width, 1.0, false});
 }

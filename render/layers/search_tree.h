@@ -6,7 +6,7 @@
 #include <vtkActor.h>
 #include <vtkSmartPointer.h>
 
-#include "core/matching/search_trace.h"
+#include "render/layers/search_part.h"
 #include "render/layers/shapes.h"
 #include "render/palette.h"
 #include "render/scene.h"
@@ -19,13 +19,15 @@ struct SearchLevel {
   int num_scored = 0;
   int num_expanded = 0;
   int num_pruned = 0;
-  /// One node for each block, over all angles: an expanded one before a pruned one, then the one
-  /// with the highest bound. Indices into SearchTrace::nodes.
+  /// One node for each block, over all angles shown: an expanded one before one that waits for its
+  /// fate, this before a pruned one, then the one with the highest bound. Indices into
+  /// SearchTrace::nodes.
   std::vector<int> shown;
 };
 
-/// From the root's height down to 0.
-std::vector<SearchLevel> LevelsOf(const SearchTrace& trace);
+/// Those that the filter asks for, from the root's height down to 0, also if nothing of a level is
+/// shown yet.
+std::vector<SearchLevel> LevelsOf(const SearchPart& part);
 
 /// Bounds from the first to the last colour.
 struct BoundRange {
@@ -46,21 +48,36 @@ Extent WindowExtent(const SearchWindow& window);
 /// Of the fill of a pruned block.
 constexpr double kPrunedOpacity = 0.4;
 
+/// All blocks of a height that the search ever came to.
+Extent ExtentOfHeight(const SearchTrace& trace, int height);
+
 /// The blocks of a level, filled in the colours of their bounds; pruned ones are faded.
-vtkSmartPointer<vtkActor> BlocksLayer(const SearchTrace& trace, const SearchLevel& level,
+vtkSmartPointer<vtkActor> BlocksLayer(const SearchPart& part, const SearchLevel& level,
                                       const BoundRange& range, const Palette& palette);
+
+/// The blocks of a level that were pruned.
+std::vector<Extent> PrunedBlocks(const SearchPart& part, const SearchLevel& level);
 
 /// All of the tree by angle: a column for each angle of the window, a row for each height, the
 /// lowest one at the bottom. Each field stands for the node there that says most, drawn as a block.
-/// The fields fill [0, `aspect`] x [0, 1].
-vtkSmartPointer<vtkActor> AnglesLayer(const SearchTrace& trace, const BoundRange& range,
+/// The fields fill [0, `aspect`] x [0, 1]. An angle that the filter asks for is only one of them.
+vtkSmartPointer<vtkActor> AnglesLayer(const SearchPart& part, const BoundRange& range,
                                       double aspect, const Palette& palette);
 
-/// The middle of the field of `node` in AnglesLayer.
-Eigen::Vector2d FieldOf(const SearchNode& node, const SearchTrace& trace, double aspect);
+/// The fields that were pruned.
+std::vector<Extent> PrunedFields(const SearchPart& part, double aspect);
+
+/// The field of `node` in AnglesLayer.
+Extent FieldOf(const SearchNode& node, const SearchTrace& trace, double aspect);
+
+/// The nodes that the fields of AnglesLayer stand for.
+std::vector<int> NodesByAngle(const SearchPart& part);
+
+/// The column of an angle in AnglesLayer.
+Extent ColumnOf(int angle_index, const SearchTrace& trace, double aspect);
 
 /// Outlines of the blocks of a level that were expanded.
-vtkSmartPointer<vtkActor> ExpandedLayer(const SearchTrace& trace, const SearchLevel& level,
+vtkSmartPointer<vtkActor> ExpandedLayer(const SearchPart& part, const SearchLevel& level,
                                         double line_width, const Palette& palette);
 
 }  // namespace loopscope

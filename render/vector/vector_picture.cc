@@ -129,9 +129,10 @@ bool BelongsInImage(vtkActor* actor) {
 void DrawProps(const Panel& panel, const Placement& placement, cairo_t* canvas) {
   Color beneath = panel.canvas;
   LayersAsImage image(panel, placement, canvas);
-  for (const auto& prop : panel.props) {
-    auto* const actor = vtkActor::SafeDownCast(prop);
-    if (actor == nullptr || !actor->GetVisibility()) continue;
+  for (const LayerProp& layer : panel.props) {
+    auto* const actor = vtkActor::SafeDownCast(layer.prop.Get());
+    const bool is_at_rest = layer.when != LayerProp::When::kMoving;
+    if (actor == nullptr || !actor->GetVisibility() || !is_at_rest) continue;
     if (BelongsInImage(actor)) {
       image.Draw(actor, beneath);
     } else {
@@ -141,8 +142,8 @@ void DrawProps(const Panel& panel, const Placement& placement, cairo_t* canvas) 
     beneath = {0, 0, 0, 0};
   }
   image.Finish();
-  for (const auto& prop : panel.props) {
-    auto* const texts = vtkActor2D::SafeDownCast(prop);
+  for (const LayerProp& layer : panel.props) {
+    auto* const texts = vtkActor2D::SafeDownCast(layer.prop.Get());
     if (texts != nullptr && texts->GetVisibility()) DrawTexts(texts, placement, canvas);
   }
 }

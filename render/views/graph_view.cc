@@ -8,6 +8,7 @@
 #include "core/slam/derive.h"
 #include "render/layers/constraints.h"
 #include "render/views/grids.h"
+#include "render/views/highlight.h"
 #include "render/views/pose_layers.h"
 #include "render/views/selection.h"
 #include "render/views/sheet.h"
@@ -73,20 +74,25 @@ std::vector<Fact> FactsOf(const Graph& graph) {
   return facts;
 }
 
-LayerKeys KeysOf(const MapColors& colors, const Palette& palette) {
+LayerKeys KeysOf(const MapColors& colors, const Palette& palette, const Highlight& highlight) {
   const auto line = [&](LayerKind kind, const Color& color, const char* label) {
     return std::pair(kind, LegendEntry{{Swatch::Kind::kLine, color, colors.unknown}, label});
   };
-  return {{line(LayerKind::kInter, palette.inter, "INTER constraint"),
-           line(LayerKind::kResiduals, palette.inter_residual, "INTER residual"),
-           line(LayerKind::kIntra, HueOf(1), "INTRA constraint, by submap"),
-           line(LayerKind::kResiduals, palette.intra_residual, "INTRA residual"),
-           line(LayerKind::kRefused, palette.refused, "refused loop"),
-           line(LayerKind::kCovariances, palette.covariance, "covariance of a submap"),
-           {LayerKind::kNodes, {{Swatch::Kind::kPoint, palette.node, colors.unknown}, "node"}},
-           {LayerKind::kFrames, {{Swatch::Kind::kFrame, {}, colors.unknown}, "frame of a submap"}},
-           {LayerKind::kRobot, {{Swatch::Kind::kRobot, palette.robot, colors.unknown}, "robot"}}},
-          {}};
+  LayerKeys keys{
+      {line(LayerKind::kInter, palette.inter, "INTER constraint"),
+       line(LayerKind::kResiduals, palette.inter_residual, "INTER residual"),
+       line(LayerKind::kIntra, HueOf(1), "INTRA constraint, by submap"),
+       line(LayerKind::kResiduals, palette.intra_residual, "INTRA residual"),
+       line(LayerKind::kRefused, palette.refused, "refused loop"),
+       line(LayerKind::kCovariances, palette.covariance, "covariance of a submap"),
+       {LayerKind::kNodes, {{Swatch::Kind::kPoint, palette.node, colors.unknown}, "node"}},
+       {LayerKind::kFrames, {{Swatch::Kind::kFrame, {}, colors.unknown}, "frame of a submap"}},
+       {LayerKind::kRobot, {{Swatch::Kind::kRobot, palette.robot, colors.unknown}, "robot"}}},
+      {}};
+  if (!highlight.empty()) {
+    keys.legend.emplace_back(LayerKind::kSelection, HighlightEntry(colors, palette));
+  }
+  return keys;
 }
 
 Annotation Describe(const Recording& recording, const Graph& graph) {
@@ -113,26 +119,66 @@ void DrawCovariances(const Recording& recording, const MapState& state, Sheet* s
   });
 }
 
-void DrawConstraints(const Graph& graph, Sheet* sheet) {
-  const Palette& palette = sheet->palette();
+/// The constraints of what is selected, clearer than the others.
+void DrawLinks(const Graph& graph, const Highlight& highlight, Sheet* sheet) {
+  if (highlight.empty() || !sheet->Shows(LayerKind::kSelection)) return;
   sheet->Add(0, LayerKind::kIntra, [&] {
-    return IntraConstraintsLayer(graph.intra, OpacityOfMany(graph.intra.size() / 4),
-                                 sheet->Px(widths::kHairline));
+    return IntraConstraintsLayer(LinksOf(highlight, graph.intra), 1.0, sheet->Px(widths::kLine));
   });
   sheet->Add(0, LayerKind::kRefused, [&] {
-    return InterConstraintsLayer(graph.refused, palette.refused, sheet->Px(widths::kHairline));
+    return InterConstraintsLayer(LinksOf(highlight, graph.refused), sheet->palette().refused,
+                                 sheet->Px(widths::kLine));
   });
   sheet->Add(0, LayerKind::kInter, [&] {
-    return InterConstraintsLayer(graph.inter,
-                                 WithOpacity(palette.inter, OpacityOfMany(graph.inter.size())),
-                                 sheet->Px(widths::kThin));
+    return InterConstraintsLayer(LinksOf(highlight, graph.inter), sheet->palette().inter,
+                                 sheet->Px(widths::kLine));
   });
-  sheet->Add(0, LayerKind::kResiduals, [&] {
-    return ResidualsLayer(graph.intra, palette.intra_residual, sheet->Px(widths::kLine));
-  });
-  sheet->Add(0, LayerKind::kResiduals, [&] {
-    return ResidualsLayer(graph.inter, palette.inter_residual, sheet->Px(widths::kBold));
-  });
+}
+
+/// Adds what `draw` makes of `constraints`, and if they are many of some of them for the moving
+/// camera.
+template <typename Draw>
+void AddLines(LayerKind kind, const std::vector<PlacedConstraint>& constraints, const Draw& draw,
+              Sheet* sheet) {
+  constexpr int kMany = 3000;
+  constexpr int kMaxMoving = 1000;
+  if (constraints.size() <= kMany) {
+    sheet->Add(0, kind, [&] { return draw(constraints); });
+    return;
+  }
+  sheet->Add(
+      0, kind, [&] { return draw(constraints); }, Sheet::When::kAtRest);
+  sheet->Add(
+      0, kind, [&] { return draw(Thinned(constraints, kMaxMoving)); }, Sheet::When::kMoving);
+}
+
+/// `dimming` in [0, 1] multiplies the opacity of the lines between submaps and nodes.
+void DrawConstraints(const Graph& graph, double dimming, Sheet* sheet) {
+  using Lines = std::vector<PlacedConstraint>;
+  const Palette& palette = sheet->palette();
+  const auto intra = [&](const Lines& lines) {
+    return IntraConstraintsLayer(lines, dimming * OpacityOfMany(lines.size() / 4),
+                                 sheet->Px(widths::kHairline));
+  };
+  const auto refused = [&](const Lines& lines) {
+    return InterConstraintsLayer(lines, WithOpacity(palette.refused, dimming),
+                                 sheet->Px(widths::kHairline));
+  };
+  const auto inter = [&](const Lines& lines) {
+    const Color color = WithOpacity(palette.inter, dimming * OpacityOfMany(lines.size()));
+    return InterConstraintsLayer(lines, color, sheet->Px(widths::kThin));
+  };
+  const auto intra_residuals = [&](const Lines& lines) {
+    return ResidualsLayer(lines, palette.intra_residual, sheet->Px(widths::kLine));
+  };
+  const auto inter_residuals = [&](const Lines& lines) {
+    return ResidualsLayer(lines, palette.inter_residual, sheet->Px(widths::kBold));
+  };
+  AddLines(LayerKind::kIntra, graph.intra, intra, sheet);
+  AddLines(LayerKind::kRefused, graph.refused, refused, sheet);
+  AddLines(LayerKind::kInter, graph.inter, inter, sheet);
+  AddLines(LayerKind::kResiduals, graph.intra, intra_residuals, sheet);
+  AddLines(LayerKind::kResiduals, graph.inter, inter_residuals, sheet);
 }
 
 }  // namespace
@@ -144,15 +190,19 @@ Scene BuildGraphView(GridCache* cache, const ViewRequest& request, int oversampl
   const MapColors colors = DarkMapColors(palette);
   const std::vector<PlacedGrid> grids = PlacedGridsOf(cache, graph.state);
 
-  Sheet sheet(request, oversampling, Describe(recording, graph), KeysOf(colors, palette));
+  const Highlight highlight = HighlightOf(recording, request, graph.state, grids);
+
+  Sheet sheet(request, oversampling, Describe(recording, graph),
+              KeysOf(colors, palette, highlight));
   sheet.Open(0, ExtentOf(grids), colors.unknown);
   DrawMap(grids, colors, &sheet);
-  DrawConstraints(graph, &sheet);
+  const bool is_selected = !highlight.empty() && sheet.Shows(LayerKind::kSelection);
+  DrawConstraints(graph, is_selected ? 0.5 : 1.0, &sheet);
+  DrawLinks(graph, highlight, &sheet);
   DrawCovariances(recording, graph.state, &sheet);
-  DrawPoses(graph.state,
-            {WithOpacity(palette.node, 0.6), palette.node, palette.dark_label,
-             WithOpacity(palette.dark_unknown, 0.6)},
-            &sheet);
+  const PoseColors pose_colors{WithOpacity(palette.node, 0.6), palette.node, palette.dark_label,
+                               WithOpacity(palette.dark_unknown, 0.6)};
+  DrawPoses(graph.state, pose_colors, DrawHighlight(highlight, pose_colors, &sheet), &sheet);
   return sheet.Finish();
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "render/views/grids.h"
+#include "render/views/highlight.h"
 #include "render/views/pose_layers.h"
 #include "render/views/selection.h"
 #include "render/views/sheet.h"
@@ -27,14 +28,19 @@ int NumLoops(const Recording& recording, const MapState& state) {
   return count;
 }
 
-LayerKeys KeysOf(const MapColors& colors, const Palette& palette) {
-  return {{{LayerKind::kGrid, UnknownEntry(colors)},
-           {LayerKind::kTrajectory,
-            {{Swatch::Kind::kLine, palette.trajectory, colors.free}, "way of the robot"}},
-           {LayerKind::kNodes, {{Swatch::Kind::kPoint, palette.trajectory, colors.free}, "node"}},
-           {LayerKind::kFrames, {{Swatch::Kind::kFrame, {}, colors.free}, "frame of a submap"}},
-           {LayerKind::kRobot, {{Swatch::Kind::kRobot, palette.robot, colors.free}, "robot"}}},
-          {{LayerKind::kGrid, OccupancyBar(colors)}}};
+LayerKeys KeysOf(const MapColors& colors, const Palette& palette, const Highlight& highlight) {
+  LayerKeys keys{
+      {{LayerKind::kGrid, UnknownEntry(colors)},
+       {LayerKind::kTrajectory,
+        {{Swatch::Kind::kLine, palette.trajectory, colors.free}, "way of the robot"}},
+       {LayerKind::kNodes, {{Swatch::Kind::kPoint, palette.trajectory, colors.free}, "node"}},
+       {LayerKind::kFrames, {{Swatch::Kind::kFrame, {}, colors.free}, "frame of a submap"}},
+       {LayerKind::kRobot, {{Swatch::Kind::kRobot, palette.robot, colors.free}, "robot"}}},
+      {{LayerKind::kGrid, OccupancyBar(colors)}}};
+  if (!highlight.empty()) {
+    keys.legend.emplace_back(LayerKind::kSelection, HighlightEntry(colors, palette));
+  }
+  return keys;
 }
 
 Annotation Describe(const Recording& recording, const MapState& state, const Extent& extent) {
@@ -62,12 +68,15 @@ Scene BuildMapView(GridCache* cache, const ViewRequest& request, int oversamplin
   const Palette& palette = PaletteOf(request.theme);
   const MapColors colors = PlainMapColors(palette);
 
-  Sheet sheet(request, oversampling, Describe(recording, state, extent), KeysOf(colors, palette));
+  const Highlight highlight = HighlightOf(recording, request, state, grids);
+
+  Sheet sheet(request, oversampling, Describe(recording, state, extent),
+              KeysOf(colors, palette, highlight));
   sheet.Open(0, extent, colors.unknown);
   DrawMap(grids, colors, &sheet);
-  DrawPoses(state,
-            {palette.trajectory, palette.trajectory, palette.ink, WithOpacity(palette.paper, 0.7)},
-            &sheet);
+  const PoseColors pose_colors{palette.trajectory, palette.trajectory, palette.ink,
+                               WithOpacity(palette.paper, 0.7)};
+  DrawPoses(state, pose_colors, DrawHighlight(highlight, pose_colors, &sheet), &sheet);
   return sheet.Finish();
 }
 

@@ -2,24 +2,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/views/pose_layers.h"
 
-#include "render/layers/labels.h"
 #include "render/layers/robot.h"
 #include "render/layers/trajectory.h"
 
 namespace loopscope {
 namespace {
 
-void DrawLabels(const MapState& state, const PoseColors& colors, Sheet* sheet) {
+void DrawLabels(const MapState& state, const PoseColors& colors, const std::vector<Label>& taken,
+                Sheet* sheet) {
   const TextStyle style = TextStyleOf(sheet->size(), colors.label);
   const Eigen::Vector2d beside =
       Eigen::Vector2d(0.3, 0.3) * sheet->Meters(0, widths::kAxis);  // clear of the axes
-  std::vector<Label> labels;
+  std::vector<Label> labels = taken;
   for (SubmapId id{0}; id.index < state.num_submaps; ++id.index) {
     labels.push_back({state.global_from_submap[id.index].translation + beside, ToString(id)});
   }
   sheet->Add(0, LayerKind::kLabels, [&] {
-    return LabelsLayer(WithoutOverlaps(labels, sheet->camera(0), sheet->frame(0), style), style,
-                       colors.label_plate);
+    std::vector<Label> kept = WithoutOverlaps(labels, sheet->camera(0), sheet->frame(0), style);
+    kept.erase(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(taken.size()));
+    return LabelsLayer(kept, style, colors.label_plate);
   });
 }
 
@@ -33,7 +34,8 @@ void DrawMap(const std::vector<PlacedGrid>& grids, const MapColors& colors, Shee
   });
 }
 
-void DrawPoses(const MapState& state, const PoseColors& colors, Sheet* sheet) {
+void DrawPoses(const MapState& state, const PoseColors& colors, const std::vector<Label>& taken,
+               Sheet* sheet) {
   const Palette& palette = sheet->palette();
   sheet->Add(0, LayerKind::kTrajectory, [&] {
     return TrajectoryLayer(state.global_from_node, colors.trajectory, sheet->Px(widths::kThin));
@@ -50,7 +52,7 @@ void DrawPoses(const MapState& state, const PoseColors& colors, Sheet* sheet) {
     return RobotLayer(state.global_from_base, sheet->Meters(0, 1.5 * widths::kMark),
                       sheet->Meters(0, widths::kThin), palette.robot);
   });
-  DrawLabels(state, colors, sheet);
+  DrawLabels(state, colors, taken, sheet);
 }
 
 }  // namespace loopscope

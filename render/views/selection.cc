@@ -18,6 +18,23 @@ std::string Range(int count) {
   return count == 1 ? "expected 0" : fmt::format("expected 0 to {}", count - 1);
 }
 
+bool Fits(const LoopCandidate& candidate, const ViewRequest& request) {
+  return candidate.verdict != Verdict::kNotSampled &&
+         (!request.node || *request.node == candidate.node) &&
+         (!request.submap || *request.submap == candidate.submap);
+}
+
+/// Whether `a` is the more telling search: accepted before refused, then the higher score.
+bool IsBetter(const LoopCandidate& a, const LoopCandidate& b) {
+  const bool a_accepted = a.verdict == Verdict::kAccepted;
+  const bool b_accepted = b.verdict == Verdict::kAccepted;
+  return a_accepted != b_accepted ? a_accepted : a.score > b.score;
+}
+
+bool IsOfOneScan(ViewKind view) { return view == ViewKind::kUpdate || view == ViewKind::kMatch; }
+
+}  // namespace
+
 void RequireNode(const Recording& recording, NodeId node) {
   const int count = static_cast<int>(recording.nodes().size());
   if (node.index < 0 || node.index >= count) {
@@ -32,21 +49,6 @@ void RequireSubmap(const Recording& recording, SubmapId submap) {
   }
 }
 
-bool Fits(const LoopCandidate& candidate, const ViewRequest& request) {
-  return candidate.verdict != Verdict::kNotSampled &&
-         (!request.node || *request.node == candidate.node) &&
-         (!request.submap || *request.submap == candidate.submap);
-}
-
-/// Whether `a` is the more telling search: accepted before refused, then the higher score.
-bool IsBetter(const LoopCandidate& a, const LoopCandidate& b) {
-  const bool a_accepted = a.verdict == Verdict::kAccepted;
-  const bool b_accepted = b.verdict == Verdict::kAccepted;
-  return a_accepted != b_accepted ? a_accepted : a.score > b.score;
-}
-
-}  // namespace
-
 int StepOf(const Recording& recording, const ViewRequest& request) {
   const int count = recording.num_steps();
   if (request.step && (*request.step < 0 || *request.step >= count)) {
@@ -54,7 +56,7 @@ int StepOf(const Recording& recording, const ViewRequest& request) {
   }
   if (count == 0) Refuse("nothing to draw: the recording has no steps");
   if (request.step) return *request.step;
-  if (!request.node) return count - 1;
+  if (!request.node || !IsOfOneScan(request.view)) return count - 1;
   RequireNode(recording, *request.node);
   return recording.node(*request.node).step;
 }

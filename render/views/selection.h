@@ -14,7 +14,10 @@ namespace loopscope {
 // What a request means in a recording. All throw std::invalid_argument, saying what was expected,
 // if the recording does not have it.
 
-/// The step asked for; else that of the node asked for; else the last one.
+void RequireNode(const Recording& recording, NodeId node);
+void RequireSubmap(const Recording& recording, SubmapId submap);
+
+/// The step asked for; else for update and match that of the node asked for; else the last one.
 int StepOf(const Recording& recording, const ViewRequest& request);
 
 /// The node asked for; else the last one that was inserted until StepOf.

@@ -3,6 +3,7 @@
 #include "render/views/sheet.h"
 
 #include "render/annotation_layer.h"
+#include "render/layers/opacity.h"
 
 namespace loopscope {
 
@@ -13,8 +14,9 @@ Sheet::Sheet(const ViewRequest& request, int oversampling, Annotation annotation
       oversampling_(oversampling),
       shown_(request.layers.value_or(DefaultLayersOf(request.view))),
       annotation_(Complete(std::move(annotation), keys)),
-      layout_(LayOut(MakeSheetSize(request.width, request.height, oversampling), annotation_,
-                     arrangement)),
+      layout_(
+          LayOut(MakeSheetSize(request.width, request.height, oversampling, request.text_height),
+                 annotation_, arrangement)),
       drafts_(layout_.panels.size()) {}
 
 Annotation Sheet::Complete(Annotation annotation, const LayerKeys& keys) const {
@@ -45,7 +47,7 @@ void Sheet::OpenFrom(const SideView& side, int panel, const Extent& extent, cons
                      std::vector<std::string> caption) {
   Open(panel, extent, canvas, std::move(caption));
   drafts_[panel].side = side;
-  drafts_[panel].has_scale = false;
+  drafts_[panel].is_map = false;
 }
 
 double Sheet::OpenChart(int panel, std::vector<std::string> caption) {
@@ -53,8 +55,25 @@ double Sheet::OpenChart(int panel, std::vector<std::string> caption) {
   const double width = box.width / box.height;
   Open(panel, Extent(Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(width, 1.0)), palette_.paper,
        std::move(caption));
-  drafts_[panel].has_scale = false;
+  drafts_[panel].is_map = false;
   return width;
+}
+
+void Sheet::Put(int panel, const LayerProp& layer) {
+  const auto opacity = request_.opacities.find(layer.kind);
+  if (opacity != request_.opacities.end()) MultiplyOpacity(opacity->second, layer.prop);
+  drafts_[panel].layers.emplace(layer.kind, layer);
+}
+
+Panel Sheet::FinishPanel(int index) const {
+  const PanelDraft& draft = drafts_[index];
+  Panel panel{frame(index), draft.camera, draft.canvas, {}, draft.is_map, draft.side};
+  for (const auto& [kind, layer] : draft.layers) panel.props.push_back(layer);
+  panel.edge = [boxes = layout_.panels[index], has_scale = draft.is_map, caption = draft.caption,
+                size = layout_.size, &palette = palette_](const FlatCamera& camera) {
+    return DrawPanelEdge(boxes, has_scale ? &camera : nullptr, caption, size, palette);
+  };
+  return panel;
 }
 
 Scene Sheet::Finish() const {
@@ -64,15 +83,7 @@ Scene Sheet::Finish() const {
   scene.oversampling = oversampling_;
   scene.paper = palette_.paper;
   scene.annotation = DrawAnnotation(annotation_, layout_, palette_);
-  for (int i = 0; i < num_panels(); ++i) {
-    const PanelDraft& draft = drafts_[i];
-    const Props edge = DrawPanelEdge(layout_.panels[i], draft.has_scale ? &draft.camera : nullptr,
-                                     draft.caption, layout_.size, palette_);
-    scene.annotation.insert(scene.annotation.end(), edge.begin(), edge.end());
-    Panel panel{frame(i), draft.camera, draft.canvas, {}, draft.side};
-    for (const auto& [kind, prop] : draft.layers) panel.props.push_back(prop);
-    scene.panels.push_back(std::move(panel));
-  }
+  for (int i = 0; i < num_panels(); ++i) scene.panels.push_back(FinishPanel(i));
   return scene;
 }
 

@@ -59,10 +59,12 @@ class Sheet {
   /// Adds a part to the caption of an open panel.
   void Say(int panel, const std::string& part) { drafts_[panel].caption.push_back(part); }
 
+  using When = LayerProp::When;
+
   /// Adds what `draw` returns if the layer is to be shown. Later ones of a kind cover earlier ones.
   template <typename Draw>
-  void Add(int panel, LayerKind kind, const Draw& draw) {
-    if (Shows(kind)) drafts_[panel].layers.emplace(kind, draw());
+  void Add(int panel, LayerKind kind, const Draw& draw, When when = When::kAlways) {
+    if (Shows(kind) && !frame(panel).empty()) Put(panel, {draw(), kind, when});
   }
 
   Scene Finish() const;
@@ -72,11 +74,13 @@ class Sheet {
     FlatCamera camera;
     Color canvas;
     std::vector<std::string> caption;
-    bool has_scale = true;
+    bool is_map = true;
     std::optional<SideView> side;
-    std::multimap<LayerKind, vtkSmartPointer<vtkProp>> layers;  // in the order of drawing
+    std::multimap<LayerKind, LayerProp> layers;  // in the order of drawing
   };
 
+  void Put(int panel, const LayerProp& layer);
+  Panel FinishPanel(int panel) const;
   Annotation Complete(Annotation annotation, const LayerKeys& keys) const;
 
   const ViewRequest& request_;

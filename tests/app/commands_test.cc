@@ -114,6 +114,28 @@ TEST_F(CommandTest, RenderShowsTheStateAfterAStepOrTime) {
   EXPECT_FALSE(at_step == ReadPng(folder_.Path("other.png")));
 }
 
+TEST_F(CommandTest, RenderDrawsLayersAsClearAsAsked) {
+  const std::string render = "render run.loopscope --size 400x300 ";
+  ASSERT_EQ(Run(render + "-o full.png --layers grid:1,trajectory").exit_code, 0);
+  ASSERT_EQ(Run(render + "-o same.png --layers grid,trajectory").exit_code, 0);
+  ASSERT_EQ(Run(render + "-o faint.png --layers grid:0.3,trajectory").exit_code, 0);
+  const Picture full = ReadPng(folder_.Path("full.png"));
+  EXPECT_TRUE(full == ReadPng(folder_.Path("same.png")));
+  EXPECT_FALSE(full == ReadPng(folder_.Path("faint.png")));
+}
+
+TEST_F(CommandTest, RenderDrawsAPartOfASearch) {
+  const std::string render = "render run.loopscope --view search --node 50 --submap 0 ";
+  for (const std::string part : {"--visits 3", "--height 2", "--angle 1"}) {
+    const ProgramRun run = Run(render + "--size 400x300 -o part.png " + part);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+  }
+  ExpectRefused(render + "--visits -1", "visits -1 of the search: expected 0 to ");
+  ExpectRefused(render + "--height 7", "height 7 of the search: expected 0 to 6");
+  ExpectRefused(render + "--angle 200", "angle index 200 of the search: expected -");
+  ExpectRefused("render run.loopscope --angle 1", "view map has no visits, heights or angles");
+}
+
 TEST_F(CommandTest, RenderNamesThePictureAfterRunAndView) {
   const ProgramRun run = Run("render run.loopscope --view graph --size 320x240");
   EXPECT_EQ(run.out, "run.graph.png\n");
@@ -139,6 +161,8 @@ TEST_F(CommandTest, RenderRefusesWhatTheRecordingDoesNotHave) {
   ExpectRefused(render + "--view submap --submap 99", "there is no submap 99");
   ExpectRefused(render + "--view match --node 9999", "there is no node 9999");
   ExpectRefused(render + "--layers nonsense", "nonsense");
+  ExpectRefused(render + "--layers grid:1.5", "expected an opacity of 0 to 1 behind the colon");
+  ExpectRefused(render + "--layers grid:", "expected an opacity of 0 to 1 behind the colon");
   ExpectRefused(render + "--backend nonsense", "nonsense");
   ExpectRefused(render + "--theme nonsense", "nonsense");
   for (const std::string size : {"1", "1x1", "x", "axb", "400x300x", "99999x300"}) {

@@ -119,6 +119,23 @@ TEST(LayoutTest, TheMainPanelIsTheLargest) {
   EXPECT_NEAR(area(layout.panels[1].frame), area(layout.panels[2].frame), 1000.0);
 }
 
+TEST(LayoutTest, TheLastPanelMayBeAStripBeneathTheOtherSidePanels) {
+  const Arrangement arrangement{2, 0.42, 2, 0.3};
+  const auto panels = LayOut(MakeSheetSize(1280, 720, 1), FullAnnotation(), arrangement).panels;
+  ASSERT_EQ(panels.size(), 3u);
+  EXPECT_EQ(panels[1].frame.left, panels[2].frame.left);
+  EXPECT_GE(panels[1].footer.bottom, panels[2].frame.top());
+  EXPECT_GT(panels[1].frame.height, 2.0 * panels[2].frame.height);
+}
+
+TEST(LayoutTest, PanelsTooSmallForTheirTextKeepAPlaceToDrawIn) {
+  const SheetSize size = MakeSheetSize(kMinPictureWidth, kMinPictureHeight, 1, 40);
+  for (const PanelBoxes& panel : LayOut(size, FullAnnotation(), {9, 0.5, 2, 0.2}).panels) {
+    EXPECT_GE(panel.frame.width, 1.0);
+    EXPECT_GE(panel.frame.height, 1.0);
+  }
+}
+
 TEST(SheetSizeTest, TextAndStrokesGrowWithThePicture) {
   EXPECT_EQ(MakeSheetSize(320, 240, 1).font, 8);
   EXPECT_EQ(MakeSheetSize(1280, 720, 1).font, 13);
@@ -136,11 +153,11 @@ TEST(SheetSizeTest, OversamplingScalesEverything) {
 }
 
 TEST(SheetSizeTest, RefusesSizesThatCannotBeDrawn) {
-  EXPECT_THROW(MakeSheetSize(319, 240, 1), std::invalid_argument);
-  EXPECT_THROW(MakeSheetSize(320, 239, 1), std::invalid_argument);
+  EXPECT_THROW(MakeSheetSize(199, 150, 1), std::invalid_argument);
+  EXPECT_THROW(MakeSheetSize(200, 149, 1), std::invalid_argument);
   EXPECT_THROW(MakeSheetSize(8193, 240, 1), std::invalid_argument);
   EXPECT_EQ(MessageOf([] { MakeSheetSize(10, 10, 1); }),
-            "size 10x10: expected a picture between 320x240 and 8192x8192");
+            "size 10x10: expected a picture between 200x150 and 8192x8192");
 }
 
 }  // namespace

@@ -61,6 +61,18 @@ TEST(PaletteTest, TheScanPosesOfTheColorBlindThemeDifferInMoreThanRedAndGreen) {
   EXPECT_GT(DistanceWithoutRedAndGreen(p.hit, p.miss), 60.0);
 }
 
+TEST(PaletteTest, ASelectionStandsOutOnLightAndDarkMaps) {
+  for (const Theme theme : {Theme::kDefault, Theme::kColorBlind}) {
+    const Palette& p = PaletteOf(theme);
+    for (const Color& color : {p.dark_free, p.dark_unknown, p.map_occupied, p.selection_edge}) {
+      EXPECT_GT(Luminance(p.selection) - Luminance(color), 60.0);
+    }
+    for (const Color& color : {p.map_free, p.map_unknown, p.dark_occupied}) {
+      EXPECT_GT(Luminance(color) - Luminance(p.selection_edge), 100.0);
+    }
+  }
+}
+
 TEST(PaletteTest, BoundsGetLighterAsTheyGrow) {
   for (const Theme theme : {Theme::kDefault, Theme::kColorBlind}) {
     for (int i = 0; i < 20; ++i) {

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/scene.h"
 
+#include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkNew.h>
+#include <vtkRendererCollection.h>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace loopscope {
@@ -34,7 +37,9 @@ TEST(CameraForTest, ShowsAMetreAroundAPointAndAroundNothing) {
 }
 
 TEST(FillRendererTest, LooksDownAtTheExtentOfTheCamera) {
-  Panel panel{kFrame, {{3.0, -2.0}, 0.05}, Color{1, 2, 3}, {}};
+  Panel panel;
+  panel.frame = kFrame;
+  panel.camera = {{3.0, -2.0}, 0.05};
   vtkNew<vtkRenderer> renderer;
   FillRenderer(panel, renderer);
   vtkCamera* const camera = renderer->GetActiveCamera();
@@ -64,6 +69,21 @@ TEST(SideViewTest, IsARotation) {
   EXPECT_NEAR(view.determinant(), 1.0, 1e-12);
 }
 
+TEST(PlaceCameraTest, MovesACameraThatLooksFromTheSideInItsOwnPlane) {
+  Panel panel;
+  panel.frame = kFrame;
+  panel.side = SideView{0.0, 0.0};
+  panel.camera = {{3.0, 2.0}, 0.05};
+  vtkNew<vtkRenderer> renderer;
+  PlaceCamera(panel, renderer);
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  EXPECT_DOUBLE_EQ(camera->GetFocalPoint()[0], 3.0);
+  EXPECT_NEAR(camera->GetFocalPoint()[2], 2.0, 1e-9);
+  EXPECT_LT(camera->GetPosition()[1], 0.0) << "it stands in the south";
+  EXPECT_DOUBLE_EQ(camera->GetViewUp()[2], 1.0);
+  EXPECT_DOUBLE_EQ(camera->GetParallelScale(), 0.5 * kFrame.height * 0.05);
+}
+
 TEST(SheetOfTest, HasThePaperAndTheAnnotationInPixels) {
   Scene scene;
   scene.width = 80;
@@ -76,6 +96,47 @@ TEST(SheetOfTest, HasThePaperAndTheAnnotationInPixels) {
   EXPECT_EQ(sheet.props.size(), 2u);
   EXPECT_EQ(sheet.camera.center, Eigen::Vector2d(40.0, 30.0));
   EXPECT_EQ(sheet.camera.meters_per_pixel, 1.0);
+}
+
+TEST(SetMovingTest, ShowsTheStandInOnlyWhileTheCameraMoves) {
+  using When = LayerProp::When;
+  Panel panel;
+  panel.frame = kFrame;
+  for (const When when : {When::kAlways, When::kAtRest, When::kMoving}) {
+    panel.props.push_back({vtkSmartPointer<vtkActor>::New(), LayerKind::kInter, when});
+  }
+  const auto visible = [&] {
+    std::vector<int> flags;
+    for (const LayerProp& layer : panel.props) flags.push_back(layer.prop->GetVisibility());
+    return flags;
+  };
+  vtkNew<vtkRenderer> renderer;
+  FillRenderer(panel, renderer);
+  EXPECT_THAT(visible(), testing::ElementsAre(1, 1, 0));
+  SetMoving(panel, true);
+  EXPECT_THAT(visible(), testing::ElementsAre(1, 0, 1));
+  SetMoving(panel, false);
+  EXPECT_THAT(visible(), testing::ElementsAre(1, 1, 0));
+}
+
+TEST(ShowTest, AsksForTheEdgeOfAPanelAsItsCameraSeesIt) {
+  Scene scene;
+  scene.width = 500;
+  scene.height = 300;
+  Panel panel;
+  panel.frame = kFrame;
+  panel.camera = {{3.0, -2.0}, 0.05};
+  std::vector<double> scales;
+  vtkNew<vtkActor> edge;
+  panel.edge = [&](const FlatCamera& camera) {
+    scales.push_back(camera.meters_per_pixel);
+    return Props{edge};
+  };
+  scene.panels = {panel};
+  vtkNew<vtkRenderWindow> window;
+  Show(scene, window);
+  EXPECT_THAT(scales, testing::ElementsAre(0.05));
+  EXPECT_TRUE(window->GetRenderers()->GetFirstRenderer()->HasViewProp(edge));
 }
 
 }  // namespace

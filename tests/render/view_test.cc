@@ -2,13 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/view.h"
 
+#include <vtkActor.h>
+#include <vtkProperty.h>
+#include <vtkTextActor.h>
+
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/large_recording.h"
 #include "tests/support/mapped_log.h"
 #include "tests/support/temporary_folder.h"
 
 namespace loopscope {
 namespace {
+
+using testing::Contains;
+using testing::Not;
+using testing::StartsWith;
 
 constexpr ViewKind kAllViews[] = {ViewKind::kMap,   ViewKind::kSubmap, ViewKind::kUpdate,
                                   ViewKind::kMatch, ViewKind::kSearch, ViewKind::kGraph,
@@ -25,6 +35,14 @@ ViewRequest RequestFor(ViewKind view) {
   return request;
 }
 
+std::vector<std::string> TextsOf(const Props& props) {
+  std::vector<std::string> texts;
+  for (const auto& prop : props) {
+    if (auto* const text = vtkTextActor::SafeDownCast(prop)) texts.push_back(text->GetInput());
+  }
+  return texts;
+}
+
 std::size_t NumProps(const Scene& scene) {
   std::size_t count = 0;
   for (const Panel& panel : scene.panels) count += panel.props.size();
@@ -37,7 +55,7 @@ std::string WhyRefused(const ViewRequest& request) {
 
 TEST(BuildSceneTest, EveryViewFillsItsPanelsAtAnySizeAndAnyStep) {
   for (const ViewKind view : kAllViews) {
-    for (const auto& [width, height] : {std::pair{320, 240}, {3840, 2160}}) {
+    for (const auto& [width, height] : {std::pair{200, 150}, {320, 240}, {3840, 2160}}) {
       for (const int step : {130, 215}) {
         ViewRequest request = RequestFor(view);
         request.width = width;
@@ -93,6 +111,7 @@ TEST(BuildSceneTest, OnlyTheViewTimeLooksFromTheSideAskedFor) {
   ASSERT_TRUE(scene.panels.front().side.has_value());
   EXPECT_DOUBLE_EQ(scene.panels.front().side->azimuth, 0.5 * M_PI);
   EXPECT_DOUBLE_EQ(scene.panels.front().side->elevation, 0.0);
+  EXPECT_FALSE(scene.panels.front().is_map);
   request.elevation = 90.5;
   EXPECT_EQ(WhyRefused(request), "elevation 90.500000 degrees: expected 0 to 90");
   request.view = ViewKind::kMap;
@@ -101,10 +120,81 @@ TEST(BuildSceneTest, OnlyTheViewTimeLooksFromTheSideAskedFor) {
   EXPECT_FALSE(BuildScene(SmallLoop(), RequestFor(ViewKind::kGraph)).panels[0].side.has_value());
 }
 
+TEST(ViewRequestTest, IsAnotherFromAnotherSideOrWithAnotherChart) {
+  ViewRequest request;
+  request.azimuth = 10.0;
+  EXPECT_FALSE(request == ViewRequest());
+  request = ViewRequest();
+  request.elevation = 10.0;
+  EXPECT_FALSE(request == ViewRequest());
+  request = ViewRequest();
+  request.chart = ChartKind::kCosts;
+  EXPECT_FALSE(request == ViewRequest());
+  EXPECT_TRUE(ViewRequest() == ViewRequest());
+}
+
 TEST(BuildSceneTest, AChartHasNoMapToAimAt) {
   ViewRequest request = RequestFor(ViewKind::kChart);
   request.width_in_meters = 3.0;
   EXPECT_EQ(WhyRefused(request), "view chart has no map: expected no center and no width of it");
+}
+
+TEST(BuildSceneTest, GivesTheLayersTheOpacitiesAskedFor) {
+  ViewRequest request = RequestFor(ViewKind::kMap);
+  request.layers = std::set<LayerKind>{LayerKind::kGrid, LayerKind::kFrames};
+  request.opacities = {{LayerKind::kGrid, 0.4}, {LayerKind::kNodes, 0.1}};
+  const Scene scene = BuildScene(SmallLoop(), request);
+  ASSERT_EQ(scene.panels[0].props.size(), 2u);
+  const auto opacity = [&](int i) {
+    return vtkActor::SafeDownCast(scene.panels[0].props[i].prop)->GetProperty()->GetOpacity();
+  };
+  EXPECT_EQ(scene.panels[0].props[0].kind, LayerKind::kGrid);
+  EXPECT_DOUBLE_EQ(opacity(0), 0.4);
+  EXPECT_EQ(scene.panels[0].props[1].kind, LayerKind::kFrames);
+  EXPECT_DOUBLE_EQ(opacity(1), 1.0);
+}
+
+TEST(BuildSceneTest, OnlyMapsAreInMetersAndHaveAScaleBarThatFollowsTheCamera) {
+  const Scene scene = BuildScene(SmallLoop(), RequestFor(ViewKind::kSearch));
+  const Panel& map = scene.panels.front();
+  const Panel& chart = scene.panels.back();
+  EXPECT_TRUE(map.is_map);
+  EXPECT_FALSE(chart.is_map);
+  FlatCamera far = map.camera;
+  far.meters_per_pixel = 1.0;
+  EXPECT_THAT(TextsOf(map.edge(far)), Contains("100 m"));
+  EXPECT_THAT(TextsOf(map.edge(map.camera)), Not(Contains("100 m")));
+  EXPECT_EQ(TextsOf(chart.edge(far)), TextsOf(chart.edge(chart.camera)));
+}
+
+TEST(BuildSceneTest, OneHeightOfASearchHasAPanelBetweenMapAndAngles) {
+  ViewRequest request = RequestFor(ViewKind::kSearch);
+  const Scene all = BuildScene(SmallLoop(), request);
+  request.search.height = 4;
+  const Scene one = BuildScene(SmallLoop(), request);
+  EXPECT_EQ(all.panels.size(), 9u);
+  ASSERT_EQ(one.panels.size(), 3u);
+  EXPECT_GT(one.panels[1].frame.height, 1.5 * all.panels[1].frame.height);
+  EXPECT_LT(one.panels[2].frame.top(), one.panels[1].frame.bottom);
+  EXPECT_FALSE(one.panels[2].is_map);
+}
+
+TEST(BuildSceneTest, ManyConstraintsHaveAThinnedStandInForTheMovingCamera) {
+  using When = LayerProp::When;
+  const auto count = [](const Scene& scene, LayerKind kind, When when) {
+    const auto& props = scene.panels[0].props;
+    return std::count_if(props.begin(), props.end(), [&](const LayerProp& layer) {
+      return layer.kind == kind && layer.when == when;
+    });
+  };
+  const Scene small = BuildScene(SmallLoop(), RequestFor(ViewKind::kGraph));
+  EXPECT_EQ(count(small, LayerKind::kIntra, When::kAlways), 1);
+  EXPECT_EQ(count(small, LayerKind::kIntra, When::kMoving), 0);
+  const Scene large = BuildScene(LargeRun::Make(1800, 10), RequestFor(ViewKind::kGraph));
+  EXPECT_EQ(count(large, LayerKind::kIntra, When::kAlways), 0);  // 3560 of them
+  EXPECT_EQ(count(large, LayerKind::kIntra, When::kAtRest), 1);
+  EXPECT_EQ(count(large, LayerKind::kIntra, When::kMoving), 1);
+  EXPECT_EQ(count(large, LayerKind::kInter, When::kAlways), 1);
 }
 
 TEST(BuildSceneTest, ACacheChangesNoScene) {
@@ -122,7 +212,12 @@ TEST(BuildSceneTest, RefusesWhatCannotBeDrawnSayingWhatWasExpected) {
   request.layers = std::set<LayerKind>{LayerKind::kTree};
   EXPECT_EQ(WhyRefused(request),
             "view map has no layer 'tree': expected some of grid, trajectory, nodes, frames, "
-            "robot, labels");
+            "robot, selection, labels");
+  request = RequestFor(ViewKind::kMap);
+  request.opacities = {{LayerKind::kTree, 0.5}};
+  EXPECT_THAT(WhyRefused(request), StartsWith("view map has no layer 'tree': expected some of"));
+  request.opacities = {{LayerKind::kGrid, 1.5}};
+  EXPECT_EQ(WhyRefused(request), "opacity of layer 'grid' is 1.5: expected 0 to 1");
   request = RequestFor(ViewKind::kMap);
   request.width_in_meters = 0.0;
   EXPECT_EQ(WhyRefused(request), "width of the map is 0.000000 m: expected more than 0");
@@ -137,8 +232,15 @@ TEST(BuildSceneTest, RefusesWhatCannotBeDrawnSayingWhatWasExpected) {
   EXPECT_EQ(WhyRefused(request),
             "node 0 cannot be searched in submap 0: expected a finished submap that it is not "
             "part of");
+  request = RequestFor(ViewKind::kMap);
+  request.search.height = 2;
+  EXPECT_EQ(WhyRefused(request), "view map has no visits, heights or angles: expected view search");
+  request = RequestFor(ViewKind::kSearch);
+  request.search.height = 99;
+  EXPECT_EQ(WhyRefused(request), "height 99 of the search: expected 0 to 6");
+  request = RequestFor(ViewKind::kSearch);
+  request.node = NodeId{0};
   request.step = 3;
-  request.submap.reset();
   EXPECT_EQ(WhyRefused(request),
             "no loop search of node 0 until step 3: expected both a node and a submap");
 }

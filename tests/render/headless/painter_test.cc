@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "render/layers/cell_image.h"
+#include "render/layers/opacity.h"
 #include "render/layers/shapes.h"
 #include "render/text.h"
 
@@ -16,7 +17,7 @@ constexpr Color kRed{200, 0, 0};
 constexpr Color kBlue{0, 0, 180};
 
 /// A panel of 40 x 20 pixels in the middle of a sheet of 80 x 60, a metre a pixel.
-Scene SceneWith(std::vector<vtkSmartPointer<vtkProp>> props, int oversampling = 1) {
+Scene SceneWith(const Props& props, int oversampling = 1) {
   Scene scene;
   scene.width = 80 * oversampling;
   scene.height = 60 * oversampling;
@@ -24,8 +25,8 @@ Scene SceneWith(std::vector<vtkSmartPointer<vtkProp>> props, int oversampling = 
   scene.paper = kPaper;
   const double scale = oversampling;
   const Box frame{20.0 * scale, 20.0 * scale, 40.0 * scale, 20.0 * scale};
-  scene.panels.push_back(
-      {frame, {{0.0, 0.0}, 1.0 / oversampling}, Color{10, 20, 30}, std::move(props)});
+  scene.panels.push_back({frame, {{0.0, 0.0}, 1.0 / oversampling}, Color{10, 20, 30}, {}});
+  for (const auto& prop : props) scene.panels[0].props.push_back({prop});
   return scene;
 }
 
@@ -87,6 +88,24 @@ TEST_F(PainterTest, FromTheSideWhatIsNearerHidesWhatIsDrawnLater) {
   EXPECT_EQ(PixelOf(picture, 40, 29), kRed);
   EXPECT_EQ(PixelOf(picture, 40, 32), kBlue);
   EXPECT_EQ(PixelOf(picture, 40, 23), (Color{10, 20, 30}));
+}
+
+TEST_F(PainterTest, MultipliesTheOpacityOfALayerWithThatOfItsColors) {
+  const auto red = Rectangle(-10.0, -5.0, 10.0, 5.0, kRed);
+  const auto veil = Rectangle(-10.0, -5.0, 10.0, 5.0, WithOpacity(kBlue, 0.5));
+  MultiplyOpacity(0.5, veil);
+  const Color shapes = PixelOf(painter_.Draw(SceneWith({red, veil})), 40, 30);
+  EXPECT_NEAR(shapes.r, 150, 2);
+  EXPECT_NEAR(shapes.b, 45, 2);
+  CellImage image({{-5, -5}, 10, 10});
+  for (int x = -5; x < 5; ++x) {
+    for (int y = -5; y < 5; ++y) image.Set({x, y}, WithOpacity(kBlue, 0.5));
+  }
+  const auto cells = CellImageLayer(image, Pose2(), 1.0);
+  MultiplyOpacity(0.5, cells);
+  const Color pixel = PixelOf(painter_.Draw(SceneWith({red, cells})), 40, 30);
+  EXPECT_NEAR(pixel.r, 150, 2);
+  EXPECT_NEAR(pixel.b, 45, 2);
 }
 
 TEST_F(PainterTest, BlendsHalfClearColorsOverWhatIsBeneath) {

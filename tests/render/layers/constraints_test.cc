@@ -40,6 +40,23 @@ TEST(PlaceConstraintsTest, LeavesOutWhatDoesNotExistYet) {
   EXPECT_EQ(PlaceConstraints(SmallConstraints(), Tag::kInterSubmap, SmallState()).size(), 1u);
 }
 
+TEST(ThinnedTest, TakesEveryKthAndNoMoreThanAllowed) {
+  std::vector<PlacedConstraint> constraints(10);
+  for (int i = 0; i < 10; ++i) constraints[i].constraint.node = NodeId{i};
+  const auto nodes_of = [&](int max_count) {
+    std::vector<int> nodes;
+    for (const auto& placed : Thinned(constraints, max_count)) {
+      nodes.push_back(placed.constraint.node.index);
+    }
+    return nodes;
+  };
+  EXPECT_EQ(nodes_of(4), (std::vector<int>{0, 3, 6, 9}));
+  EXPECT_EQ(nodes_of(3), (std::vector<int>{0, 4, 8}));
+  EXPECT_EQ(nodes_of(10).size(), 10u);
+  EXPECT_EQ(nodes_of(100).size(), 10u);
+  EXPECT_TRUE(Thinned({}, 3).empty());
+}
+
 TEST(ConstraintLayersTest, AConstraintEndsAtTheExpectedPlaceAndTheResidualGoesOnToTheNode) {
   const auto placed = PlaceConstraints(SmallConstraints(), Tag::kInterSubmap, SmallState());
   const auto constraints = InterConstraintsLayer(placed, Color{1, 1, 1}, 1.0);

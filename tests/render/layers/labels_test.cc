@@ -39,5 +39,22 @@ TEST(WithoutOverlapsTest, DropsWhatWouldLeaveThePanel) {
             std::vector<std::string>{"(0, 4)"});
 }
 
+TEST(MovedInsideTest, MovesALabelJustIntoThePanel) {
+  for (const Eigen::Vector2d& anchor :
+       {Eigen::Vector2d(19.5, 0.0), Eigen::Vector2d(0.0, 14.9), Eigen::Vector2d(-30.0, -20.0)}) {
+    const Label moved = MovedInside({anchor, "(0, 1)"}, kCamera, kFrame, kStyle);
+    EXPECT_EQ(moved.text, "(0, 1)");
+    EXPECT_EQ(WithoutOverlaps({moved}, kCamera, kFrame, kStyle).size(), 1u) << anchor.transpose();
+  }
+  const Label above = MovedInside({{3.0, 14.9}, "(0, 1)"}, kCamera, kFrame, kStyle);
+  EXPECT_DOUBLE_EQ(above.anchor.x(), 3.0);
+  EXPECT_GT(above.anchor.y(), 10.0);
+}
+
+TEST(MovedInsideTest, LeavesALabelThatIsInThePanel) {
+  const Label label = MovedInside({{1.0, -2.0}, "(0, 1)"}, kCamera, kFrame, kStyle);
+  EXPECT_EQ(label.anchor, Eigen::Vector2d(1.0, -2.0));
+}
+
 }  // namespace
 }  // namespace loopscope

@@ -32,12 +32,14 @@ SearchTrace SmallTrace() {
                  Node(2, {2, -2}, 1, 0.5, SearchFate::kPruned),
                  Node(0, {-2, -2}, 0, 0.7, SearchFate::kImproved),
                  Node(0, {-1, -2}, 0, 0.6, SearchFate::kPruned)};
+  trace.nodes[4].parent = trace.nodes[5].parent = 0;
+  trace.visits = {0, 4, 5, 1, 3, 2};
   trace.winner = 4;
   return trace;
 }
 
 TEST(LevelsOfTest, CountsFatesFromTheTopDown) {
-  const auto levels = LevelsOf(SmallTrace());
+  const auto levels = LevelsOf(SearchPart(SmallTrace()));
   ASSERT_EQ(levels.size(), 2u);
   EXPECT_EQ(levels[0].height, 2);
   EXPECT_EQ(levels[0].num_scored, 4);
@@ -48,7 +50,54 @@ TEST(LevelsOfTest, CountsFatesFromTheTopDown) {
 }
 
 TEST(LevelsOfTest, ShowsExpandedBeforePrunedAndThenTheHighestBound) {
-  EXPECT_THAT(LevelsOf(SmallTrace())[0].shown, ElementsAre(0, 3));
+  EXPECT_THAT(LevelsOf(SearchPart(SmallTrace()))[0].shown, ElementsAre(0, 3));
+}
+
+TEST(LevelsOfTest, OfAPartHaveOnlyWhatWasScoredUntilThen) {
+  const SearchTrace trace = SmallTrace();
+  const auto before = LevelsOf(SearchPart(trace, {0, {}, {}}));
+  ASSERT_EQ(before.size(), 2u);
+  EXPECT_EQ(before[0].num_scored, 4);
+  EXPECT_EQ(before[0].num_expanded + before[0].num_pruned, 0);
+  EXPECT_THAT(before[0].shown, ElementsAre(1, 3));
+  EXPECT_TRUE(before[1].shown.empty());
+  const auto after = LevelsOf(SearchPart(trace, {2, {}, {}}));
+  EXPECT_EQ(after[0].num_expanded, 1);
+  EXPECT_THAT(after[0].shown, ElementsAre(0, 3));
+  EXPECT_EQ(after[1].num_expanded, 1);
+  EXPECT_EQ(after[1].num_pruned, 0);
+}
+
+TEST(LevelsOfTest, ABlockThatWaitsComesBeforeAPrunedOne) {
+  const SearchTrace trace = SmallTrace();
+  EXPECT_THAT(LevelsOf(SearchPart(trace, {5, {}, {}}))[0].shown, ElementsAre(0, 2));
+}
+
+TEST(LevelsOfTest, HaveTheHeightAndTheAngleAskedFor) {
+  const SearchTrace trace = SmallTrace();
+  const auto levels = LevelsOf(SearchPart(trace, {{}, 2, 1}));
+  ASSERT_EQ(levels.size(), 1u);
+  EXPECT_EQ(levels[0].height, 2);
+  EXPECT_THAT(levels[0].shown, ElementsAre(1, 3));
+}
+
+TEST(ExtentOfHeightTest, HoldsAllBlocksOfTheHeight) {
+  const SearchTrace trace = SmallTrace();
+  EXPECT_TRUE(ExtentOfHeight(trace, 2).isApprox(
+      BlockOf(trace.nodes[0], trace.window).merged(BlockOf(trace.nodes[2], trace.window))));
+  EXPECT_TRUE(ExtentOfHeight(trace, 1).isEmpty());
+}
+
+TEST(PrunedBlocksTest, AreThoseOfTheLevelThatWerePruned) {
+  const SearchTrace trace = SmallTrace();
+  const SearchPart part(trace);
+  const auto blocks = PrunedBlocks(part, LevelsOf(part)[0]);
+  ASSERT_EQ(blocks.size(), 1u);
+  EXPECT_TRUE(blocks[0].isApprox(BlockOf(trace.nodes[3], trace.window)));
+  EXPECT_EQ(PrunedFields(part, 3.0).size(), 1u);
+  const SearchPart before(trace, {0, {}, {}});
+  EXPECT_TRUE(PrunedBlocks(before, LevelsOf(before)[0]).empty());
+  EXPECT_TRUE(PrunedFields(before, 3.0).empty());
 }
 
 TEST(BlockOfTest, CoversThePosesOfTheBlockCellByCell) {
@@ -76,8 +125,9 @@ TEST(BoundRangeTest, SpansAllBounds) {
 
 TEST(BlocksLayerTest, FillsOneSquareABlockAndFadesThePruned) {
   const SearchTrace trace = SmallTrace();
+  const SearchPart part(trace);
   const Palette& palette = PaletteOf(Theme::kDefault);
-  const auto layer = BlocksLayer(trace, LevelsOf(trace)[0], BoundRangeOf(trace), palette);
+  const auto layer = BlocksLayer(part, LevelsOf(part)[0], BoundRangeOf(trace), palette);
   EXPECT_EQ(DataOf(layer)->GetNumberOfPolys(), 2);
   EXPECT_EQ(ColorOf(layer, 0), palette.bound.At(0.8));
   EXPECT_LT(ColorOf(layer, 4).a, 128);
@@ -85,7 +135,8 @@ TEST(BlocksLayerTest, FillsOneSquareABlockAndFadesThePruned) {
 
 TEST(ExpandedLayerTest, OutlinesOnlyWhatWasExpanded) {
   const SearchTrace trace = SmallTrace();
-  const auto layer = ExpandedLayer(trace, LevelsOf(trace)[0], 1.0, PaletteOf(Theme::kDefault));
+  const SearchPart part(trace);
+  const auto layer = ExpandedLayer(part, LevelsOf(part)[0], 1.0, PaletteOf(Theme::kDefault));
   EXPECT_EQ(DataOf(layer)->GetNumberOfLines(), 1);
   EXPECT_TRUE(PointOf(layer, 0).isApprox(Eigen::Vector2d(0.75, 0.75), 1e-6));
 }
@@ -93,7 +144,7 @@ TEST(ExpandedLayerTest, OutlinesOnlyWhatWasExpanded) {
 TEST(AnglesLayerTest, HasAFieldForEachAngleAndHeightThatSaysMost) {
   const SearchTrace trace = SmallTrace();  // 3 angles, heights up to 2
   const Palette& palette = PaletteOf(Theme::kDefault);
-  const auto layer = AnglesLayer(trace, BoundRangeOf(trace), 3.0, palette);
+  const auto layer = AnglesLayer(SearchPart(trace), BoundRangeOf(trace), 3.0, palette);
   ASSERT_EQ(DataOf(layer)->GetNumberOfPolys(), 3);  // (0, 0), (0, 2), (1, 2)
   EXPECT_EQ(ColorOf(layer, 0), palette.bound.At(BoundRangeOf(trace).PlaceOf(0.7)));
   EXPECT_EQ(ColorOf(layer, 4), palette.bound.At(BoundRangeOf(trace).PlaceOf(0.8)));
@@ -102,8 +153,14 @@ TEST(AnglesLayerTest, HasAFieldForEachAngleAndHeightThatSaysMost) {
 
 TEST(AnglesLayerTest, PutsFieldsSideBySideFromTheLowestAngleAndHeight) {
   const SearchTrace trace = SmallTrace();
-  EXPECT_TRUE(FieldOf(trace.nodes[4], trace, 3.0).isApprox(Eigen::Vector2d(1.5, 0.5 / 3.0)));
-  EXPECT_TRUE(FieldOf(trace.nodes[1], trace, 3.0).isApprox(Eigen::Vector2d(2.5, 2.5 / 3.0)));
+  const Extent low = FieldOf(trace.nodes[4], trace, 3.0);
+  EXPECT_TRUE(low.center().isApprox(Eigen::Vector2d(1.5, 0.5 / 3.0)));
+  EXPECT_TRUE(low.sizes().isApprox(Eigen::Vector2d(1.0, 1.0 / 3.0)));
+  const Extent high = FieldOf(trace.nodes[1], trace, 3.0);
+  EXPECT_TRUE(high.center().isApprox(Eigen::Vector2d(2.5, 2.5 / 3.0)));
+  const Extent column = ColumnOf(1, trace, 3.0);
+  EXPECT_TRUE(column.min().isApprox(Eigen::Vector2d(2.0, 0.0)));
+  EXPECT_TRUE(column.max().isApprox(Eigen::Vector2d(3.0, 1.0)));
 }
 
 }  // namespace

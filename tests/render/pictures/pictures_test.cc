@@ -25,6 +25,9 @@ struct Ask : ViewRequest {
   }
   Ask& From(double degrees, double high) { return azimuth = degrees, elevation = high, *this; }
   Ask& Chart(ChartKind kind) { return chart = kind, *this; }
+  Ask& Visits(int value) { return search.num_visits = value, *this; }
+  Ask& Height(int value) { return search.height = value, *this; }
+  Ask& Angle(int index) { return search.angle_index = index, *this; }
   Ask& Layers(const std::set<LayerKind>& value) { return layers = value, *this; }
 };
 
@@ -52,6 +55,8 @@ PICTURE(map_tiny, Ask(V::kMap).Size(320, 240))
 PICTURE(map_tall, Ask(V::kMap).Size(480, 800))
 PICTURE(map_close_up, Ask(V::kMap).Around(4.1, 0.8, 1.6).Title("A wall, cell by cell"))
 PICTURE(map_with_frames, Ask(V::kMap).Layers({L::kGrid, L::kFrames, L::kLabels}))
+PICTURE(map_with_selected_node, Ask(V::kMap).Step(120).Node(40))
+PICTURE(map_with_selected_loop, Ask(V::kMap).Node(122).Submap(1))
 PICTURE(submap, Ask(V::kSubmap))
 PICTURE(submap_still_growing, Ask(V::kSubmap).Step(100).Submap(8))
 PICTURE(submap_tiny, Ask(V::kSubmap).Size(320, 240))
@@ -66,10 +71,15 @@ PICTURE(search, Ask(V::kSearch))
 PICTURE(search_in_vain, Ask(V::kSearch).Node(84).Submap(11))
 PICTURE(search_refused, Ask(V::kSearch).Node(16).Submap(0))
 PICTURE(search_never_done, Ask(V::kSearch).Node(75).Submap(0))
+PICTURE(search_after_some_visits, Ask(V::kSearch).Visits(60))
+PICTURE(search_at_one_height, Ask(V::kSearch).Visits(200).Height(3).Size(1000, 600))
+PICTURE(search_at_one_angle, Ask(V::kSearch).Angle(1).ColorBlind())
 PICTURE(search_tiny, Ask(V::kSearch).Size(320, 240))
 PICTURE(graph, Ask(V::kGraph))
 PICTURE(graph_before_loops, Ask(V::kGraph).Step(120))
 PICTURE(graph_covariances, Ask(V::kGraph).Layers({L::kGrid, L::kRefused, L::kCovariances}))
+PICTURE(graph_with_selected_loop, Ask(V::kGraph).Node(122).Submap(1))
+PICTURE(graph_with_selected_submap, Ask(V::kGraph).Submap(3).ColorBlind())
 PICTURE(graph_tiny, Ask(V::kGraph).Size(320, 240))
 PICTURE(graph_color_blind, Ask(V::kGraph).ColorBlind())
 PICTURE(time, Ask(V::kTime))

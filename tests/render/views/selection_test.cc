@@ -80,12 +80,21 @@ ViewRequest OfSubmap(int submap) {
   return request;
 }
 
-TEST(StepOfTest, IsTheLastOneUnlessAStepOrANodeIsAskedFor) {
+TEST(StepOfTest, IsTheLastOneUnlessAStepOrTheUpdateOrMatchOfANodeIsAskedFor) {
   const Recording recording = SmallRecording();
   EXPECT_EQ(StepOf(recording, ViewRequest()), 5);
   EXPECT_EQ(StepOf(recording, At(2)), 2);
-  EXPECT_EQ(StepOf(recording, OfNode(2)), 3);
+  ViewRequest of_node = OfNode(2);
+  for (const ViewKind view : {ViewKind::kUpdate, ViewKind::kMatch}) {
+    of_node.view = view;
+    EXPECT_EQ(StepOf(recording, of_node), 3);
+  }
+  for (const ViewKind view : {ViewKind::kMap, ViewKind::kGraph, ViewKind::kSubmap}) {
+    of_node.view = view;
+    EXPECT_EQ(StepOf(recording, of_node), 5);
+  }
   ViewRequest both = OfNode(2);
+  both.view = ViewKind::kUpdate;
   both.step = 4;
   EXPECT_EQ(StepOf(recording, both), 4);
 }
@@ -94,7 +103,9 @@ TEST(StepOfTest, RefusesWhatTheRecordingDoesNotHave) {
   const Recording recording = SmallRecording();
   EXPECT_EQ(MessageOf([&] { StepOf(recording, At(6)); }), "no step 6: expected 0 to 5");
   EXPECT_EQ(MessageOf([&] { StepOf(recording, At(-1)); }), "no step -1: expected 0 to 5");
-  EXPECT_EQ(MessageOf([&] { StepOf(recording, OfNode(9)); }), "no node 9: expected 0 to 4");
+  ViewRequest of_node = OfNode(9);
+  of_node.view = ViewKind::kUpdate;
+  EXPECT_EQ(MessageOf([&] { StepOf(recording, of_node); }), "no node 9: expected 0 to 4");
   const Recording empty{ScanLog(), Options()};
   EXPECT_EQ(MessageOf([&] { StepOf(empty, ViewRequest()); }),
             "nothing to draw: the recording has no steps");

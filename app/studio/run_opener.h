@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <QFutureWatcher>
+#include <QObject>
+
+#include "app/studio/mapping_worker.h"
+#include "core/slam/recording.h"
+
+namespace loopscope {
+
+/// A file that was read: one of the first two, or an error.
+struct ReadFile {
+  std::string path;
+  std::optional<Recording> recording;
+  std::optional<ScanLog> log;
+  std::string error;  ///< one line
+};
+
+/// Opens recordings, and maps logs into new recordings, while the window goes on. A new file
+/// replaces what was opened or mapped before.
+class RunOpener : public QObject {
+  Q_OBJECT
+
+ public:
+  RunOpener();
+  ~RunOpener() override;
+
+  /// Reads a recording or a log. A log is then mapped with `options`.
+  void Open(const std::string& path, const Options& options);
+  /// Maps a log that is known already.
+  void Map(const ScanLog& log, const Options& options, const std::string& log_path);
+  void StopMapping();
+
+  bool IsReading() const { return reading_.isRunning(); }
+  bool IsMapping() const { return mapping_ != nullptr; }
+  MappingProgress progress() const;
+  double seconds() const;
+
+ signals:
+  void Reading(const QString& path);
+  /// There is another recording; that of a log has no steps yet.
+  void Opened(const std::string& path, const std::shared_ptr<Recording>& recording);
+  void Grown(const std::vector<SlamUpdate>& updates);
+  /// Mapping went to its end or was stopped.
+  void Mapped(const QString& summary);
+  void Failed(const QString& message);
+
+ private:
+  void TakeFile();
+  void TakeUpdates();
+  void EndMapping();
+
+  QFutureWatcher<std::shared_ptr<ReadFile>> reading_;
+  Options options_;
+  std::unique_ptr<MappingWorker> mapping_;
+};
+
+/// A file for the recording of a log that does not exist yet: beside the log if that is possible,
+/// else in the person's folder for data.
+std::string NewRecordingPath(const std::string& log_path);
+
+}  // namespace loopscope

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/views/highlight.h"
+
+#include <fmt/format.h>
+
+#include "core/slam/derive.h"
+#include "core/slam/loop_explanation.h"
+#include "render/layers/shapes.h"
+#include "render/layers/trajectory.h"
+#include "render/views/grids.h"
+#include "render/views/selection.h"
+
+namespace loopscope {
+namespace {
+
+using Tag = Constraint::Tag;
+
+/// Corners of the box around the known cells, to the edges of the cells.
+std::vector<Eigen::Vector2d> KnownArea(const PlacedGrid& placed) {
+  const CellBox box = placed.grid->KnownBox();
+  if (box.empty()) return {};
+  const double r = placed.grid->resolution();
+  const Eigen::Vector2d min = CenterOf(box.min, r) - Eigen::Vector2d(0.5 * r, 0.5 * r);
+  return RectangleCorners(placed.map_from_grid, min,
+                          min + r * Eigen::Vector2d(box.width, box.height));
+}
+
+/// The last time that the pair was searched until `state`.
+const LoopCandidate* SearchedCandidate(const Recording& recording, const MapState& state,
+                                       SubmapId submap, NodeId node) {
+  for (int i = state.num_candidates - 1; i >= 0; --i) {
+    const LoopCandidate& candidate = recording.candidates()[i];
+    if (candidate.submap == submap && candidate.node == node &&
+        candidate.verdict != Verdict::kNotSampled) {
+      return &candidate;
+    }
+  }
+  return nullptr;
+}
+
+void Link(const Constraint& constraint, const std::string& what, const MapState& state,
+          Highlight* highlight) {
+  highlight->link = PlaceConstraints({constraint}, constraint.tag, state).front();
+  highlight->link_text = what + ", residual " + LengthText(highlight->link->residual());
+}
+
+/// Sets the link if there is one.
+void FindLink(const Recording& recording, const MapState& state, Highlight* highlight) {
+  const SubmapId submap = *highlight->submap;
+  const NodeId node = *highlight->node;
+  const Node& record = recording.node(node);
+  if (submap.index >= record.first_submap.index &&
+      submap.index < record.first_submap.index + record.num_submaps) {
+    const Pose2 submap_from_node = SubmapFromNode(recording, submap, node);
+    Link({submap, node, submap_from_node, 0.0, 0.0, Tag::kIntraSubmap}, "INTRA", state, highlight);
+    return;
+  }
+  const LoopCandidate* const found = SearchedCandidate(recording, state, submap, node);
+  if (found == nullptr) return;
+  const bool accepted = found->verdict == Verdict::kAccepted;
+  Link({submap, node, found->submap_from_node, 0.0, 0.0, Tag::kInterSubmap},
+       fmt::format("{}, score {:.3f}", accepted ? "INTER" : "no loop: " + ToString(found->verdict),
+                   found->score),
+       state, highlight);
+}
+
+void AddLines(const Highlight& highlight, double ring_radius, const Color& color, Shapes* shapes) {
+  shapes->AddOutline(highlight.known_area, color);
+  if (highlight.link) shapes->AddLine(highlight.link->submap, highlight.link->expected_node, color);
+  if (highlight.node) shapes->AddCircle(highlight.node_place, ring_radius, color);
+}
+
+/// The lines of the highlight in `color`, `width` of the palette.
+void DrawLines(const Highlight& highlight, const Color& color, double width, Sheet* sheet) {
+  sheet->Add(0, LayerKind::kSelection, [&] {
+    Shapes shapes;
+    AddLines(highlight, sheet->Meters(0, 0.8 * widths::kMark), color, &shapes);
+    return MakeActor(shapes.Build(), {sheet->Px(width), 1.0, false});
+  });
+}
+
+void DrawResidual(const PlacedConstraint& link, const Color& color, double width, Sheet* sheet) {
+  sheet->Add(0, LayerKind::kSelection,
+             [&] { return ResidualsLayer({link}, color, sheet->Px(width)); });
+}
+
+/// Writes `text` beside `place`, in one of four ways: the first that leaves all of `labels` free.
+void WriteBeside(const Eigen::Vector2d& place, const std::string& text, const TextStyle& style,
+                 const Sheet& sheet, std::vector<Label>* labels) {
+  if (!sheet.Visible(0).contains(place)) return;
+  const FlatCamera& camera = sheet.camera(0);
+  const double gap = sheet.Meters(0, widths::kMark);
+  const double left = -gap - camera.meters_per_pixel * TextWidth(text, style);
+  const double below = -gap - 1.3 * camera.meters_per_pixel * style.size;
+  for (const auto& [x, y] :
+       {std::pair(gap, gap), std::pair(left, gap), std::pair(gap, below), std::pair(left, below)}) {
+    const Label label{place + Eigen::Vector2d(x, y), text};
+    labels->push_back(MovedInside(label, camera, sheet.frame(0), style));
+    if (WithoutOverlaps(*labels, camera, sheet.frame(0), style).size() == labels->size()) return;
+    labels->pop_back();
+  }
+}
+
+/// The ids of what is selected, and its link, where they can be read.
+std::vector<Label> LabelsOf(const Highlight& highlight, const TextStyle& style,
+                            const Sheet& sheet) {
+  std::vector<Label> labels;
+  const auto write = [&](const Eigen::Vector2d& place, const std::string& text) {
+    WriteBeside(place, text, style, sheet, &labels);
+  };
+  if (highlight.link) {
+    write(0.5 * (highlight.link->submap + highlight.link->expected_node), highlight.link_text);
+  }
+  if (highlight.node) write(highlight.node_place, "node " + ToString(*highlight.node));
+  if (highlight.submap) {
+    write(highlight.global_from_submap.translation, "submap " + ToString(*highlight.submap));
+  }
+  return labels;
+}
+
+}  // namespace
+
+Highlight HighlightOf(const Recording& recording, const ViewRequest& request, const MapState& state,
+                      const std::vector<PlacedGrid>& grids) {
+  Highlight highlight;
+  if (request.node) RequireNode(recording, *request.node);
+  if (request.submap) RequireSubmap(recording, *request.submap);
+  if (request.node && request.node->index < state.num_nodes) {
+    highlight.node = request.node;
+    highlight.node_place = state.global_from_node[request.node->index].translation;
+  }
+  if (request.submap && request.submap->index < state.num_submaps) {
+    highlight.submap = request.submap;
+    highlight.global_from_submap = state.global_from_submap[request.submap->index];
+    highlight.known_area = KnownArea(grids[request.submap->index]);
+  }
+  if (highlight.node && highlight.submap) FindLink(recording, state, &highlight);
+  return highlight;
+}
+
+LegendEntry HighlightEntry(const MapColors& colors, const Palette& palette) {
+  return {{Swatch::Kind::kOutline, palette.selection, colors.unknown}, "selected"};
+}
+
+std::vector<PlacedConstraint> LinksOf(const Highlight& highlight,
+                                      const std::vector<PlacedConstraint>& constraints) {
+  std::vector<PlacedConstraint> links;
+  for (const PlacedConstraint& placed : constraints) {
+    if (highlight.node == placed.constraint.node || highlight.submap == placed.constraint.submap) {
+      links.push_back(placed);
+    }
+  }
+  return links;
+}
+
+std::vector<Label> DrawHighlight(const Highlight& highlight, const PoseColors& colors,
+                                 Sheet* sheet) {
+  if (highlight.empty() || !sheet->Shows(LayerKind::kSelection)) return {};
+  constexpr double kWidth = 1.1 * widths::kBold;
+  constexpr double kEdged = kWidth + 2.0 * widths::kThin;
+  const Palette& palette = sheet->palette();
+  DrawLines(highlight, palette.selection_edge, kEdged, sheet);
+  DrawLines(highlight, palette.selection, kWidth, sheet);
+  if (highlight.link) {
+    const bool intra = highlight.link->constraint.tag == Tag::kIntraSubmap;
+    DrawResidual(*highlight.link, palette.selection_edge, kEdged, sheet);
+    DrawResidual(*highlight.link, intra ? palette.intra_residual : palette.inter_residual, kWidth,
+                 sheet);
+  }
+  if (highlight.submap) {
+    sheet->Add(0, LayerKind::kSelection, [&] {
+      return FramesLayer({highlight.global_from_submap}, sheet->Meters(0, 1.5 * widths::kAxis),
+                         sheet->Px(1.6 * widths::kBold), palette);
+    });
+  }
+  const TextStyle style = TextStyleOf(sheet->size(), colors.label);
+  const std::vector<Label> labels = LabelsOf(highlight, style, *sheet);
+  sheet->Add(0, LayerKind::kSelection,
+             [&] { return LabelsLayer(labels, style, WithOpacity(colors.label_plate, 0.85)); });
+  return labels;
+}
+
+}  // namespace loopscope
