@@ -46,7 +46,8 @@ StepRange ParseStepRange(const std::string& text, int num_steps) {
 }
 
 ViewRequest WithCameraOf(GridCache* cache, ViewRequest request, int step) {
-  if (request.view != ViewKind::kMap && request.view != ViewKind::kGraph) return request;
+  const std::set<ViewKind> fixed{ViewKind::kMap, ViewKind::kGraph, ViewKind::kTime};
+  if (fixed.count(request.view) == 0) return request;
   request.step = step;
   const Scene scene = BuildScene(cache, request);
   const Panel& main = scene.panels.front();

@@ -19,6 +19,9 @@ Look LookOf(const Recording& recording, const ViewRequest& request, const Scene&
       const Box& chart = scene.panels.back().frame;
       return InspectSearch(recording, request, chart.width / chart.height);
     }
+    case ViewKind::kTime:
+    case ViewKind::kChart:
+      return [](int, const Eigen::Vector2d&, double) { return std::nullopt; };
     case ViewKind::kMap:
     case ViewKind::kGraph:
       break;

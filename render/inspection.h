@@ -31,7 +31,7 @@ class Inspector {
   /// that are drawn, INTER before INTRA; else the nearest origin of a submap. In submap a node
   /// likewise, and the cell. In update and match the cell, in search the block under the point. A
   /// point is in the coordinates of the panel: [m], or those of the chart. Nothing if nothing is
-  /// there.
+  /// there, and in time and chart.
   std::optional<Finding> WhatIsAt(int panel, const Eigen::Vector2d& point, double tolerance) const {
     return look_(panel, point, tolerance);
   }

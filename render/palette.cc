@@ -55,6 +55,7 @@ Palette DefaultPalette() {
   p.expanded = Rgb(0x111111);
   p.hatch = WithOpacity(Rgb(0x3c444d), 0.55);
   p.winner = Rgb(0xe5178f);
+  p.too_low = Rgb(0x8d949c);
   p.trajectory = HueOf(0);
   p.node = Rgb(0xffffff);
   p.robot = Rgb(0xe5178f);

@@ -78,6 +78,7 @@ struct Palette {
   Color expanded;
   Color hatch;  ///< of pruned blocks
   Color winner;
+  Color too_low;  ///< the score of a search that found nothing
 
   // Graph.
   Color trajectory;

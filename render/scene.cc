@@ -3,6 +3,7 @@
 #include "render/scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vtkCamera.h>
 #include <vtkNew.h>
 #include <vtkRenderStepsPass.h>
@@ -15,6 +16,21 @@ void SetBackground(const Color& color, vtkRenderer* renderer) {
   renderer->SetBackground(color.r / 255.0, color.g / 255.0, color.b / 255.0);
 }
 
+void LookFrom(const SideView& side, const FlatCamera& flat, double height, vtkRenderer* renderer) {
+  constexpr double kFar = 1e4;  // [m]
+  const Eigen::Matrix3d map_from_view = side.ViewFromMap().transpose();
+  const Eigen::Vector3d focus = map_from_view.leftCols<2>() * flat.center;
+  const Eigen::Vector3d eye = focus + kFar * map_from_view.col(2);
+  const Eigen::Vector3d up = map_from_view.col(1);
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetPosition(eye.x(), eye.y(), eye.z());
+  camera->SetFocalPoint(focus.x(), focus.y(), focus.z());
+  camera->SetViewUp(up.x(), up.y(), up.z());
+  camera->SetParallelScale(0.5 * height * flat.meters_per_pixel);
+  renderer->ResetCameraClippingRange();
+}
+
 vtkSmartPointer<vtkRenderer> PanelRenderer(const Panel& panel, const Scene& scene) {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   renderer->SetViewport(panel.frame.left / scene.width, panel.frame.bottom / scene.height,
@@ -24,6 +40,16 @@ vtkSmartPointer<vtkRenderer> PanelRenderer(const Panel& panel, const Scene& scen
 }
 
 }  // namespace
+
+Eigen::Matrix3d SideView::ViewFromMap() const {
+  const Eigen::Vector3d ahead(-std::sin(azimuth), std::cos(azimuth), 0.0);
+  const Eigen::Vector3d high = Eigen::Vector3d::UnitZ();
+  Eigen::Matrix3d view_from_map;
+  view_from_map << std::cos(azimuth), std::sin(azimuth), 0.0,
+      (std::sin(elevation) * ahead + std::cos(elevation) * high).transpose(),
+      (std::sin(elevation) * high - std::cos(elevation) * ahead).transpose();
+  return view_from_map;
+}
 
 Extent VisibleExtent(const FlatCamera& camera, const Box& frame) {
   const Eigen::Vector2d half =
@@ -69,6 +95,14 @@ void LookDown(const FlatCamera& flat, double height, vtkRenderer* renderer) {
   camera->SetClippingRange(0.1, 2.0);
 }
 
+void PlaceCamera(const Panel& panel, vtkRenderer* renderer) {
+  if (panel.side) {
+    LookFrom(*panel.side, panel.camera, panel.frame.height, renderer);
+  } else {
+    LookDown(panel.camera, panel.frame.height, renderer);
+  }
+}
+
 void SetMoving(const Panel& panel, bool moving) {
   const auto hidden = moving ? LayerProp::When::kAtRest : LayerProp::When::kMoving;
   for (const LayerProp& layer : panel.props) layer.prop->SetVisibility(layer.when != hidden);
@@ -82,7 +116,7 @@ void FillRenderer(const Panel& panel, vtkRenderer* renderer) {
   renderer->SetPass(steps);
   SetMoving(panel, false);
   for (const LayerProp& layer : panel.props) renderer->AddViewProp(layer.prop);
-  LookDown(panel.camera, panel.frame.height, renderer);
+  PlaceCamera(panel, renderer);
 }
 
 void Show(const Scene& scene, vtkRenderWindow* window) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 #include <vtkProp.h>
 #include <vtkRenderWindow.h>
@@ -24,6 +25,16 @@ using Extent = Eigen::AlignedBox2d;
 struct FlatCamera {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();  ///< [m] in the middle of the panel
   double meters_per_pixel = 0.01;
+};
+
+/// Looks at the map from the side, in parallel rays.
+struct SideView {
+  double azimuth = 0.0;           ///< [rad] from which side: 0 from -y, a quarter turn from +x
+  double elevation = 0.5 * M_PI;  ///< [rad] from straight from the side, 0, to straight down
+
+  /// Its rows: what is to the right in the picture, what is up, and what comes towards the eye. A
+  /// camera's center is in the coordinates of the first two.
+  Eigen::Matrix3d ViewFromMap() const;
 };
 
 /// The camera that shows all of `extent` in `frame` with a small margin. What is empty or a point
@@ -52,7 +63,8 @@ struct Panel {
   FlatCamera camera;
   Color canvas;  ///< where nothing is drawn
   std::vector<LayerProp> props;
-  bool is_map = true;  ///< its coordinates are metres of a map; false for a chart
+  bool is_map = true;  ///< its coordinates are metres of a map; false for a chart or from the side
+  std::optional<SideView> side = std::nullopt;  ///< straight down without it
   /// What stands around the panel while it is seen by a camera, in pixels of the picture: its
   /// outline, and beneath the scale bar of a map and the caption. May be empty.
   std::function<Props(const FlatCamera&)> edge = nullptr;
@@ -70,6 +82,9 @@ struct Scene {
 
 /// Makes `renderer` show what the camera sees in a panel of `height` pixels.
 void LookDown(const FlatCamera& camera, double height, vtkRenderer* renderer);
+
+/// Makes `renderer` show what the camera of `panel` sees, from above or from its side.
+void PlaceCamera(const Panel& panel, vtkRenderer* renderer);
 
 /// The whole picture as the panel beneath the others: its paper and its annotation, in pixels.
 Panel SheetOf(const Scene& scene);

@@ -37,8 +37,8 @@ void RequireTextHeight(const ViewRequest& request) {
   constexpr int kMin = 8, kMax = 200;
   if (!request.text_height) return;
   if (*request.text_height >= kMin && *request.text_height <= kMax) return;
-  throw std::invalid_argument(fmt::format("text is {} px high: expected {} to {}",
-                                          *request.text_height, kMin, kMax));
+  throw std::invalid_argument(
+      fmt::format("text is {} px high: expected {} to {}", *request.text_height, kMin, kMax));
 }
 
 void RequireFilter(const ViewRequest& request) {
@@ -48,9 +48,25 @@ void RequireFilter(const ViewRequest& request) {
 }
 
 void RequireCamera(const ViewRequest& request) {
+  if (request.view == ViewKind::kChart && (request.center || request.width_in_meters)) {
+    throw std::invalid_argument("view chart has no map: expected no center and no width of it");
+  }
   if (request.width_in_meters && !(*request.width_in_meters > 0.0)) {
     throw std::invalid_argument("width of the map is " + std::to_string(*request.width_in_meters) +
                                 " m: expected more than 0");
+  }
+}
+
+void RequireSide(const ViewRequest& request) {
+  if (!request.azimuth && !request.elevation) return;
+  if (request.view != ViewKind::kTime) {
+    throw std::invalid_argument("view " + ToString(request.view) +
+                                " is seen from above: expected azimuth and elevation for time");
+  }
+  const double elevation = request.elevation.value_or(0.0);
+  if (!(0.0 <= elevation && elevation <= 90.0)) {
+    throw std::invalid_argument("elevation " + std::to_string(elevation) +
+                                " degrees: expected 0 to 90");
   }
 }
 
@@ -59,8 +75,8 @@ void RequireCamera(const ViewRequest& request) {
 bool operator==(const ViewRequest& a, const ViewRequest& b) {
   const auto fields = [](const ViewRequest& r) {
     return std::tie(r.view, r.step, r.node, r.submap, r.width, r.height, r.theme, r.title, r.layers,
-                    r.opacities, r.center, r.width_in_meters, r.text_height,
-                    r.search.num_visits, r.search.height, r.search.angle_index);
+                    r.opacities, r.center, r.width_in_meters, r.azimuth, r.elevation, r.chart,
+                    r.text_height, r.search.num_visits, r.search.height, r.search.angle_index);
   };
   return fields(a) == fields(b);
 }
@@ -79,6 +95,7 @@ Scene BuildScene(GridCache* cache, const ViewRequest& request, int oversampling)
   RequireLayers(request);
   RequireFilter(request);
   RequireCamera(request);
+  RequireSide(request);
   RequireTextHeight(request);
   const Recording& recording = cache->recording();
   switch (request.view) {
@@ -92,6 +109,10 @@ Scene BuildScene(GridCache* cache, const ViewRequest& request, int oversampling)
       return BuildMatchView(recording, request, oversampling);
     case ViewKind::kSearch:
       return BuildSearchView(recording, request, oversampling);
+    case ViewKind::kTime:
+      return BuildTimeView(cache, request, oversampling);
+    case ViewKind::kChart:
+      return BuildChartView(recording, request, oversampling);
     case ViewKind::kGraph:
       break;
   }

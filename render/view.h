@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "core/slam/recording.h"
+#include "render/charts/chart_data.h"
 #include "render/grid_cache.h"
 #include "render/palette.h"
 #include "render/scene.h"
@@ -35,10 +36,14 @@ struct ViewRequest {
   std::map<LayerKind, double> opacities;      ///< in [0, 1], of layers of the view; 1 if left out
   std::optional<Eigen::Vector2d> center;      ///< [m] of the main panel, in the frame of the view
   std::optional<double> width_in_meters;      ///< of the main panel
+  std::optional<double> azimuth;              ///< [deg] for time: from which side, see SideView
+  std::optional<double> elevation;            ///< [deg] for time: 0 from the side to 90 from above
+  ChartKind chart = ChartKind::kScores;       ///< for chart
   std::optional<int> text_height;  ///< [px], 8 to 200; grows with the picture if left out
 };
 
 bool operator==(const ViewRequest& a, const ViewRequest& b);
+
 /// Pixels of the scene for one of the picture, each way: 2 up to 3840x2160, for smooth edges; 1 for
 /// larger ones, of which four times as many do not fit in memory.
 int OversamplingOf(const ViewRequest& request);

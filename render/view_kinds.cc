@@ -17,7 +17,8 @@ using Names = std::vector<std::pair<Kind, std::string>>;
 const Names<ViewKind>& ViewNames() {
   static const Names<ViewKind> names{{ViewKind::kMap, "map"},       {ViewKind::kSubmap, "submap"},
                                      {ViewKind::kUpdate, "update"}, {ViewKind::kMatch, "match"},
-                                     {ViewKind::kSearch, "search"}, {ViewKind::kGraph, "graph"}};
+                                     {ViewKind::kSearch, "search"}, {ViewKind::kGraph, "graph"},
+                                     {ViewKind::kTime, "time"},     {ViewKind::kChart, "chart"}};
   return names;
 }
 
@@ -66,13 +67,18 @@ const LayerSets& LayerSetsOf(ViewKind kind) {
   static const std::set<L> graph{L::kGrid,      L::kIntra,     L::kTrajectory, L::kNodes,
                                  L::kInter,     L::kResiduals, L::kFrames,     L::kRobot,
                                  L::kSelection, L::kLabels};
+  static const std::set<L> time{L::kGrid,   L::kTrajectory, L::kNodes, L::kInter,
+                                L::kFrames, L::kRobot,      L::kLabels};
+  static const std::set<L> chart{L::kGrid, L::kScan, L::kLabels};
   static const std::map<ViewKind, LayerSets> sets{
       {ViewKind::kMap, {map, {L::kGrid, L::kTrajectory, L::kRobot, L::kSelection}}},
       {ViewKind::kSubmap, {submap, submap}},
       {ViewKind::kUpdate, {update, update}},
       {ViewKind::kMatch, {match, match}},
       {ViewKind::kSearch, {search, search}},
-      {ViewKind::kGraph, {Union(graph, {L::kRefused, L::kCovariances}), graph}}};
+      {ViewKind::kGraph, {Union(graph, {L::kRefused, L::kCovariances}), graph}},
+      {ViewKind::kTime, {Union(time, {L::kIntra}), time}},
+      {ViewKind::kChart, {chart, chart}}};
   return sets.at(kind);
 }
 

@@ -14,6 +14,8 @@ enum class ViewKind {
   kMatch,   ///< one scan where it was predicted and where it was matched
   kSearch,  ///< one loop search: where it looked, what it pruned, and what it found
   kGraph,   ///< nodes, submaps, the constraints between them and their residuals
+  kTime,    ///< the same seen from the side, with time upwards over the map
+  kChart,   ///< numbers of the run: scores, residuals, costs
 };
 
 /// What can be drawn in a panel, from the bottom to the top.
@@ -39,8 +41,8 @@ enum class LayerKind {
   kLabels,
 };
 
-/// "map", "submap", "update", "match", "search" or "graph". Throws std::invalid_argument naming
-/// these for anything else.
+/// "map", "submap", "update", "match", "search", "graph", "time" or "chart". Throws
+/// std::invalid_argument naming these for anything else.
 ViewKind ViewKindFromName(const std::string& name);
 std::string ToString(ViewKind kind);
 

@@ -49,7 +49,7 @@ int Shoot(const Recording& recording, const FilmArguments& arguments, const Step
 int RunFilm(const FilmArguments& arguments) {
   constexpr int kKeepIfSet = 0;
   setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", kKeepIfSet);  // we tell ourselves what went wrong
-  RequireFilmPath(arguments.output);  // before the work begins
+  RequireFilmPath(arguments.output);                   // before the work begins
   const Recording recording = ReadRun(arguments.run);
   const StepRange steps = ParseStepRange(arguments.steps, recording.num_steps());
   const int num_frames = Shoot(recording, arguments, steps);

@@ -54,7 +54,9 @@ void AddViewArguments(CLI::App* command, ViewArguments* arguments) {
                    "  update  what one scan hit and missed, and the odds before and after\n"
                    "  match   one scan where it was predicted and where it was matched\n"
                    "  search  one loop search: where it looked, and what it pruned\n"
-                   "  graph   nodes, submaps, constraints and residuals")
+                   "  graph   nodes, submaps, constraints and residuals\n"
+                   "  time    the graph from the side, with time upwards over the map\n"
+                   "  chart   numbers of the run, see --chart")
       ->type_name("VIEW");
   command
       ->add_option("--node", arguments->node,
@@ -77,6 +79,21 @@ void AddViewArguments(CLI::App* command, ViewArguments* arguments) {
       ->expected(2);
   command->add_option("--width", arguments->width_in_meters, "Width of what is shown [m]")
       ->type_name("METERS");
+  command
+      ->add_option("--chart", arguments->chart,
+                   "What the view chart shows: scores, score-histogram, residuals, "
+                   "residual-histogram or costs")
+      ->capture_default_str()
+      ->type_name("NAME");
+  command
+      ->add_option("--azimuth", arguments->azimuth,
+                   "From which side to look at the view time [deg]: 0 is from -y, 90 from +x "
+                   "(default: -30)")
+      ->type_name("DEGREES");
+  command
+      ->add_option("--elevation", arguments->elevation,
+                   "From how high, likewise: 0 is from the side, 90 from above (default: 30)")
+      ->type_name("DEGREES");
   AddPictureArguments(command, &arguments->picture);
 }
 
@@ -94,6 +111,9 @@ ViewRequest ToRequest(const ViewArguments& arguments, const Recording& recording
     request.center = Eigen::Vector2d(arguments.center[0], arguments.center[1]);
   }
   request.width_in_meters = arguments.width_in_meters;
+  request.chart = ChartKindFromName(arguments.chart);
+  request.azimuth = arguments.azimuth;
+  request.elevation = arguments.elevation;
   ApplyTo(arguments.picture, &request);
   return request;
 }

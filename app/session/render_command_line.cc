@@ -68,6 +68,11 @@ Value TitleOf(const ViewRequest& request) {
   return request.title.empty() ? std::nullopt : Value(request.title);
 }
 
+Value ChartOf(const ViewRequest& request) {
+  if (request.chart == ViewRequest().chart) return std::nullopt;
+  return ToString(request.chart);
+}
+
 /// A path that does not look like an option.
 std::string PathWord(const std::string& path) {
   return path.rfind('-', 0) == 0 ? "./" + path : path;
@@ -110,6 +115,9 @@ std::vector<std::string> RenderArguments(const std::string& run, const ViewReque
   words.Add("--layers", LayersOf(request));
   words.Add("--center", ValueOf(request.center));
   words.Add("--width", ValueOf(request.width_in_meters));
+  words.Add("--chart", ChartOf(request));
+  words.Add("--azimuth", ValueOf(request.azimuth));
+  words.Add("--elevation", ValueOf(request.elevation));
   words.Add("--size", SizeOf(request));
   words.Add("--text", ValueOf(request.text_height));
   words.Add("--theme", ThemeOf(request));

@@ -73,6 +73,7 @@ ViewRequest Session::RequestOf(int tile) const {
   request.view = state_.tiles[tile];
   request.step = state_.step;
   request.theme = state_.theme;
+  if (request.view == ViewKind::kChart) request.chart = state_.chart;
   SelectForStep(&request);
   const auto settings = state_.views.find(request.view);
   if (settings == state_.views.end()) return request;
@@ -107,6 +108,8 @@ void Session::SelectForStep(ViewRequest* request) const {
       }
       break;
     case ViewKind::kMatch:
+    case ViewKind::kTime:
+    case ViewKind::kChart:
       break;
     case ViewKind::kSearch:
       request->node = state_.node;

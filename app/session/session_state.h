@@ -38,8 +38,8 @@ std::string ToString(TableKind kind);
 
 /// Which rows of a table are listed, and in which order.
 struct TableSettings {
-  std::string filter;      ///< see table_filter.h; empty lists all
-  std::string sort_by;     ///< name of a column; empty keeps the order of the recording
+  std::string filter;   ///< see table_filter.h; empty lists all
+  std::string sort_by;  ///< name of a column; empty keeps the order of the recording
   bool descending = false;
 };
 bool operator==(const TableSettings& a, const TableSettings& b);
@@ -49,9 +49,10 @@ struct SessionState {
   int step = 0;
   std::vector<ViewKind> tiles{ViewKind::kMap};  ///< 1, 2 or 4 views, from the upper left
   int active_tile = 0;
-  std::optional<NodeId> node;      ///< selected,
-  std::optional<SubmapId> submap;  ///< likewise; with both, the pair of them
-  SearchFilter search;             ///< of the search of the pair
+  std::optional<NodeId> node;            ///< selected,
+  std::optional<SubmapId> submap;        ///< likewise; with both, the pair of them
+  SearchFilter search;                   ///< of the search of the pair
+  ChartKind chart = ChartKind::kScores;  ///< what the view chart shows
   std::map<ViewKind, ViewSettings> views;
   /// Most pairs are skipped by sampling: they are not listed unless asked for.
   std::map<TableKind, TableSettings> tables{

@@ -79,6 +79,9 @@ void SetOpacity(const std::string& argument, SessionState* state) {
 }
 
 void SetCamera(const std::string& argument, SessionState* state) {
+  if (ActiveView(*state) == ViewKind::kChart) {
+    throw std::invalid_argument("camera.set " + argument + ": view chart has no map");
+  }
   const std::vector<double> numbers = NumbersArgument("camera.set", argument, 3);
   if (!(numbers[2] > 0.0)) {
     throw std::invalid_argument("camera.set " + argument + ": expected a width above 0 m");
@@ -131,6 +134,12 @@ std::vector<Command> ViewCommands() {
       ViewCommand(ViewKind::kMatch, "Match", "4"),
       ViewCommand(ViewKind::kSearch, "Search", "5"),
       ViewCommand(ViewKind::kGraph, "Pose graph", "6"),
+      ViewCommand(ViewKind::kTime, "Pose graph over time", "7"),
+      ViewCommand(ViewKind::kChart, "Chart", "8"),
+      StateCommand({"chart.kind", "What the chart shows", "", {}, "NAME", Always, {}},
+                   [](const Session&, const std::string& argument, SessionState* state) {
+                     state->chart = ChartKindFromName(argument);
+                   }),
       TilesCommand("tiles.one", "One view", "Ctrl+1", 1),
       TilesCommand("tiles.two", "Two views", "Ctrl+2", 2),
       TilesCommand("tiles.four", "Four views", "Ctrl+4", 4),

@@ -17,7 +17,23 @@ namespace {
 
 // The commands that show the views, in the order of the list.
 const std::vector<ViewKind> kKinds{ViewKind::kMap,   ViewKind::kSubmap, ViewKind::kUpdate,
-                                   ViewKind::kMatch, ViewKind::kSearch, ViewKind::kGraph};
+                                   ViewKind::kMatch, ViewKind::kSearch, ViewKind::kGraph,
+                                   ViewKind::kTime,  ViewKind::kChart};
+
+const std::vector<ChartKind> kCharts{ChartKind::kScores, ChartKind::kScoreHistogram,
+                                     ChartKind::kResiduals, ChartKind::kResidualHistogram,
+                                     ChartKind::kCosts};
+
+/// "Score histogram"
+QString TitleOf(ChartKind kind) {
+  const QString name = QString::fromStdString(ToString(kind)).replace('-', ' ');
+  return name.left(1).toUpper() + name.mid(1);
+}
+
+template <typename Kind>
+int PlaceOf(Kind kind, const std::vector<Kind>& kinds) {
+  return static_cast<int>(std::find(kinds.begin(), kinds.end(), kind) - kinds.begin());
+}
 
 constexpr int kTextHeight = 12;  // [px] as in the rest of the window
 
@@ -31,6 +47,9 @@ Tile::Tile(int index, SceneWorker* worker, RunLine run, QWidget* parent)
     kinds_->addItem(QString::fromStdString(command.title));
   }
   kinds_->setFocusPolicy(Qt::NoFocus);
+  charts_ = new QComboBox(this);
+  for (const ChartKind kind : kCharts) charts_->addItem(TitleOf(kind));
+  charts_->setFocusPolicy(Qt::NoFocus);
   message_ = new QLabel(this);
   message_->setWordWrap(true);
   view_ = new ViewWidget(this);
@@ -39,6 +58,7 @@ Tile::Tile(int index, SceneWorker* worker, RunLine run, QWidget* parent)
   bar->setContentsMargins(6, 4, 6, 4);
   bar->setSpacing(8);
   bar->addWidget(kinds_);
+  bar->addWidget(charts_);
   bar->addWidget(message_, 1);
   search_ = new SearchBar(
       [this](const std::string& line) {
@@ -57,6 +77,10 @@ Tile::Tile(int index, SceneWorker* worker, RunLine run, QWidget* parent)
     Activate();
     run_("view." + ToString(kKinds[i]));
   });
+  connect(charts_, QOverload<int>::of(&QComboBox::activated), this, [this](int i) {
+    Activate();
+    run_("chart.kind " + ToString(kCharts[i]));
+  });
   connect(view_, &ViewWidget::CameraRested, this, [this](double x, double y, double width) {
     Activate();
     run_(fmt::format("camera.set {} {} {}", x, y, width));
@@ -74,8 +98,9 @@ void Tile::Activate() { run_("tile.select " + std::to_string(index_)); }
 
 void Tile::Show(const Session& session) {
   const ViewKind kind = session.state().tiles[index_];
-  const auto place = std::find(kKinds.begin(), kKinds.end(), kind);
-  kinds_->setCurrentIndex(static_cast<int>(place - kKinds.begin()));
+  kinds_->setCurrentIndex(PlaceOf(kind, kKinds));
+  charts_->setVisible(kind == ViewKind::kChart);
+  charts_->setCurrentIndex(PlaceOf(session.state().chart, kCharts));
   const bool is_active = session.state().active_tile == index_ && session.state().tiles.size() > 1;
   QFont font = kinds_->font();
   font.setBold(is_active);

@@ -52,6 +52,7 @@ class Tile : public QWidget {
   SceneWorker* worker_;
   RunLine run_;
   QComboBox* kinds_;
+  QComboBox* charts_;
   QLabel* message_;
   SearchBar* search_;
   ViewWidget* view_;

@@ -109,6 +109,10 @@ std::optional<ViewWidget::Place> ViewWidget::PlaceAt(const QPoint& position) con
   return std::nullopt;
 }
 
+bool ViewWidget::CanMove(int panel) const {
+  return panel == 0 && (scene_.panels[0].is_map || scene_.panels[0].side);
+}
+
 void ViewWidget::paintGL() {
   const std::lock_guard<std::mutex> lock(FontLock());
   QVTKOpenGLNativeWidget::paintGL();
@@ -122,7 +126,7 @@ void ViewWidget::resizeEvent(QResizeEvent* event) {
 void ViewWidget::MoveTo(const FlatCamera& camera) {
   Panel& panel = scene_.panels.front();
   panel.camera = camera;
-  LookDown(camera, panel.frame.height, panels_.front());
+  PlaceCamera(panel, panels_.front());
   is_moved_ = true;
   SetMoving(panel, true);
   DrawEdge();
@@ -154,7 +158,7 @@ void ViewWidget::mouseMoveEvent(QMouseEvent* event) {
   const QPoint moved = event->pos() - *pressed_at_;
   if (!is_dragging_ && moved.manhattanLength() <= kClickPixels) return;
   const auto start = PlaceAt(*pressed_at_);
-  if (!is_dragging_ && (!start || start->panel != 0)) return;
+  if (!is_dragging_ && (!start || !CanMove(start->panel))) return;
   is_dragging_ = true;
   FlatCamera camera = camera_when_pressed_;
   const Eigen::Vector2d pixels = ToScene(event->pos()) - ToScene(*pressed_at_);
@@ -174,7 +178,7 @@ void ViewWidget::mouseDoubleClickEvent(QMouseEvent* event) { emit DoubleClicked(
 
 void ViewWidget::wheelEvent(QWheelEvent* event) {
   const auto place = PlaceAt(event->position().toPoint());
-  if (!place || place->panel != 0) return;
+  if (!place || !CanMove(place->panel)) return;
   constexpr double kZoomPerStep = 1.25;
   const double steps = event->angleDelta().y() / 120.0;
   const double factor = std::pow(kZoomPerStep, -steps);

@@ -63,6 +63,8 @@ class ViewWidget : public QVTKOpenGLNativeWidget {
   void DrawEdge();
   void MoveTo(const FlatCamera& camera);
   void TellRest();
+  /// A chart has no camera to move.
+  bool CanMove(int panel) const;
   /// In pixels of the scene, from its lower left.
   Eigen::Vector2d ToScene(const QPoint& position) const;
 

@@ -60,6 +60,7 @@ vtkSmartPointer<vtkActor2D> LabelsLayer(const std::vector<Label>& labels, const 
   vtkNew<vtkStringArray> texts;
   texts->SetName("text");
   for (const Label& label : labels) {
+    anchors.SetHeight(label.height);
     anchors.AddPoint(label.anchor, style.color);
     texts->InsertNextValue(label.text);
   }

@@ -17,6 +17,7 @@ namespace loopscope {
 struct Label {
   Eigen::Vector2d anchor = Eigen::Vector2d::Zero();  ///< [m] below the left end of the text
   std::string text;
+  double height = 0.0;  ///< [m] of the anchor
 };
 
 /// Those of `labels` that can be written without touching an earlier one or the edge of the panel.

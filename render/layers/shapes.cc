@@ -31,7 +31,7 @@ vtkSmartPointer<vtkUnsignedCharArray> Shapes::MakeColors() {
 
 vtkIdType Shapes::AddVertex(const Vector& point, const Color& color) {
   colors_->InsertNextTuple4(color.r, color.g, color.b, color.a);
-  return points_->InsertNextPoint(point.x(), point.y(), 0.0);
+  return points_->InsertNextPoint(point.x(), point.y(), height_);
 }
 
 void Shapes::AddPoint(const Vector& point, const Color& color) {
@@ -41,6 +41,17 @@ void Shapes::AddPoint(const Vector& point, const Color& color) {
 
 void Shapes::AddLine(const Vector& from, const Vector& to, const Color& color) {
   const vtkIdType ends[2] = {AddVertex(from, color), AddVertex(to, color)};
+  lines_->InsertNextCell(2, ends);
+}
+
+void Shapes::AddSlope(const Vector& from, double from_height, const Vector& to, double to_height,
+                      const Color& color) {
+  const double height = height_;
+  SetHeight(from_height);
+  const vtkIdType first = AddVertex(from, color);
+  SetHeight(to_height);
+  const vtkIdType ends[2] = {first, AddVertex(to, color)};
+  SetHeight(height);
   lines_->InsertNextCell(2, ends);
 }
 
@@ -90,6 +101,13 @@ vtkSmartPointer<vtkActor> MakeActor(vtkSmartPointer<vtkPolyData> data, const Str
   // Translucent actors are drawn in the order in which they were added, and hide nothing after
   // them.
   actor->ForceTranslucentOn();
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> MakeSolidActor(vtkSmartPointer<vtkPolyData> data, const Stroke& stroke) {
+  const auto actor = MakeActor(data, stroke);
+  actor->ForceTranslucentOff();
+  actor->ForceOpaqueOn();
   return actor;
 }
 

@@ -17,14 +17,19 @@
 
 namespace loopscope {
 
-/// Collects flat shapes, each with its colour, into one poly data at z = 0. Coordinates are those
-/// of the panel that the shapes are drawn in [m], or pixels for what stands around the panels.
+/// Collects flat shapes, each with its colour, into one poly data. Coordinates are those of the
+/// panel that the shapes are drawn in [m], or pixels for what stands around the panels.
 class Shapes {
  public:
   using Vector = Eigen::Vector2d;
 
+  /// What is added from now on lies at z = `height`, which is 0 at first.
+  void SetHeight(double height) { height_ = height; }
+
   void AddPoint(const Vector& point, const Color& color);
   void AddLine(const Vector& from, const Vector& to, const Color& color);
+  void AddSlope(const Vector& from, double from_height, const Vector& to, double to_height,
+                const Color& color);
   void AddPolyline(const std::vector<Vector>& points, const Color& color);
   void AddOutline(std::vector<Vector> corners, const Color& color);
   /// `corners` of a convex polygon, in order.
@@ -39,6 +44,7 @@ class Shapes {
  private:
   vtkIdType AddVertex(const Vector& point, const Color& color);
 
+  double height_ = 0.0;
   vtkSmartPointer<vtkPoints> points_ = vtkSmartPointer<vtkPoints>::New();
   vtkSmartPointer<vtkUnsignedCharArray> colors_ = MakeColors();
   vtkSmartPointer<vtkCellArray> vertices_ = vtkSmartPointer<vtkCellArray>::New();
@@ -58,6 +64,10 @@ struct Stroke {
 /// Draws `data` in its own colours, without light. Shapes have no depth: what is added to a
 /// renderer later covers what was added before.
 vtkSmartPointer<vtkActor> MakeActor(vtkSmartPointer<vtkPolyData> data, const Stroke& stroke = {});
+
+/// Likewise, but with depth: it hides what is behind it when seen from the side.
+vtkSmartPointer<vtkActor> MakeSolidActor(vtkSmartPointer<vtkPolyData> data,
+                                         const Stroke& stroke = {});
 
 /// Corners of the rectangle from `min` to `max` of the source frame, counter-clockwise, in the
 /// target.

@@ -62,12 +62,15 @@ void Fill(const Color& color, cairo_t* canvas) {
   cairo_paint(canvas);
 }
 
-Placement PlacementOf(const FlatCamera& camera, const Box& frame, double height, double unit) {
-  const double scale = unit / camera.meters_per_pixel;
+/// Of `panel` on a canvas with its `frame`, which is `height` high.
+Placement PlacementOf(const Panel& panel, const Box& frame, double height, double unit) {
+  const double scale = unit / panel.camera.meters_per_pixel;
+  const Eigen::Vector2d flipped(scale, -scale);
+  const Eigen::Matrix3d view_from_map = panel.side.value_or(SideView()).ViewFromMap();
   Placement placement;
-  placement.turn << scale, 0.0, 0.0, 0.0, -scale, 0.0;
-  placement.shift = Eigen::Vector2d(unit * frame.center_x() - scale * camera.center.x(),
-                                    unit * (height - frame.center_y()) + scale * camera.center.y());
+  placement.turn = flipped.asDiagonal() * view_from_map.topRows<2>();
+  placement.shift = unit * Eigen::Vector2d(frame.center_x(), height - frame.center_y()) -
+                    flipped.cwiseProduct(panel.camera.center);
   placement.corner = unit * Eigen::Vector2d(frame.left, height - frame.top());
   placement.unit = unit;
   return placement;
@@ -84,7 +87,7 @@ class LayersAsImage {
   void Draw(vtkActor* actor, const Color& beneath) {
     const Box whole{0.0, 0.0, panel_.frame.width, panel_.frame.height};
     if (!image_) Begin(whole, beneath);
-    DrawActor(actor, PlacementOf(panel_.camera, whole, whole.height, 1.0), pixels_.get());
+    DrawActor(actor, PlacementOf(panel_, whole, whole.height, 1.0), pixels_.get());
   }
 
   /// Puts the image onto the canvas, if there is one.
@@ -147,7 +150,7 @@ void DrawProps(const Panel& panel, const Placement& placement, cairo_t* canvas) 
 
 void DrawPanel(const Panel& panel, double height, double unit, cairo_t* canvas) {
   const Box& frame = panel.frame;
-  const Placement placement = PlacementOf(panel.camera, frame, height, unit);
+  const Placement placement = PlacementOf(panel, frame, height, unit);
   cairo_save(canvas);
   cairo_rectangle(canvas, placement.corner.x(), placement.corner.y(), unit * frame.width,
                   unit * frame.height);

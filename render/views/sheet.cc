@@ -14,9 +14,9 @@ Sheet::Sheet(const ViewRequest& request, int oversampling, Annotation annotation
       oversampling_(oversampling),
       shown_(request.layers.value_or(DefaultLayersOf(request.view))),
       annotation_(Complete(std::move(annotation), keys)),
-      layout_(LayOut(MakeSheetSize(request.width, request.height, oversampling,
-                                    request.text_height), annotation_,
-                     arrangement)),
+      layout_(
+          LayOut(MakeSheetSize(request.width, request.height, oversampling, request.text_height),
+                 annotation_, arrangement)),
       drafts_(layout_.panels.size()) {}
 
 Annotation Sheet::Complete(Annotation annotation, const LayerKeys& keys) const {
@@ -43,6 +43,13 @@ void Sheet::Open(int panel, const Extent& extent, const Color& canvas,
   }
 }
 
+void Sheet::OpenFrom(const SideView& side, int panel, const Extent& extent, const Color& canvas,
+                     std::vector<std::string> caption) {
+  Open(panel, extent, canvas, std::move(caption));
+  drafts_[panel].side = side;
+  drafts_[panel].is_map = false;
+}
+
 double Sheet::OpenChart(int panel, std::vector<std::string> caption) {
   const Box& box = frame(panel);
   const double width = box.width / box.height;
@@ -60,7 +67,7 @@ void Sheet::Put(int panel, const LayerProp& layer) {
 
 Panel Sheet::FinishPanel(int index) const {
   const PanelDraft& draft = drafts_[index];
-  Panel panel{frame(index), draft.camera, draft.canvas, {}, draft.is_map};
+  Panel panel{frame(index), draft.camera, draft.canvas, {}, draft.is_map, draft.side};
   for (const auto& [kind, layer] : draft.layers) panel.props.push_back(layer);
   panel.edge = [boxes = layout_.panels[index], has_scale = draft.is_map, caption = draft.caption,
                 size = layout_.size, &palette = palette_](const FlatCamera& camera) {

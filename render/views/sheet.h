@@ -47,6 +47,11 @@ class Sheet {
   void Open(int panel, const Extent& extent, const Color& canvas,
             std::vector<std::string> caption = {});
 
+  /// Opens a panel that looks from `side`, without a scale bar: it would be right in one direction
+  /// only. `extent` is in the coordinates of its camera.
+  void OpenFrom(const SideView& side, int panel, const Extent& extent, const Color& canvas,
+                std::vector<std::string> caption);
+
   /// Opens a panel that shows [0, w] x [0, 1], something that is no map and has no scale bar.
   /// Returns w.
   double OpenChart(int panel, std::vector<std::string> caption);
@@ -70,6 +75,7 @@ class Sheet {
     Color canvas;
     std::vector<std::string> caption;
     bool is_map = true;
+    std::optional<SideView> side;
     std::multimap<LayerKind, LayerProp> layers;  // in the order of drawing
   };
 

@@ -14,5 +14,7 @@ Scene BuildUpdateView(const Recording& recording, const ViewRequest& request, in
 Scene BuildMatchView(const Recording& recording, const ViewRequest& request, int oversampling);
 Scene BuildSearchView(const Recording& recording, const ViewRequest& request, int oversampling);
 Scene BuildGraphView(GridCache* cache, const ViewRequest& request, int oversampling);
+Scene BuildTimeView(GridCache* cache, const ViewRequest& request, int oversampling);
+Scene BuildChartView(const Recording& recording, const ViewRequest& request, int oversampling);
 
 }  // namespace loopscope

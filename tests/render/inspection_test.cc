@@ -55,6 +55,12 @@ TEST(InspectorTest, FindsTheNearestNodeOfAGraph) {
   EXPECT_EQ(ValueOf(*finding, "x"), fmt::format("{:.2f} m", place.x()));
 }
 
+TEST(InspectorTest, FindsNothingInAChartAndInTheGraphOverTime) {
+  for (const ViewKind view : {ViewKind::kTime, ViewKind::kChart}) {
+    EXPECT_FALSE(InspectorFor(RequestFor(view)).WhatIsAt(0, {0.5, 0.5}, 100.0)) << ToString(view);
+  }
+}
+
 TEST(InspectorTest, FindsNothingWhereNothingIsNear) {
   const Inspector inspector = InspectorFor(RequestFor(ViewKind::kGraph));
   EXPECT_FALSE(inspector.WhatIsAt(0, {100.0, 100.0}, 0.5));

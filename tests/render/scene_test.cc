@@ -50,6 +50,54 @@ TEST(FillRendererTest, LooksDownAtTheExtentOfTheCamera) {
   EXPECT_DOUBLE_EQ(camera->GetViewUp()[1], 1.0);
 }
 
+TEST(SideViewTest, StraightDownIsTheMapItself) {
+  EXPECT_TRUE(SideView().ViewFromMap().isIdentity(1e-12));
+}
+
+TEST(SideViewTest, FromTheSideWhatIsHighIsUpAndTheNearIsTowardsTheEye) {
+  const Eigen::Matrix3d from_south = SideView{0.0, 0.0}.ViewFromMap();
+  EXPECT_TRUE(
+      (from_south * Eigen::Vector3d(1.0, 2.0, 3.0)).isApprox(Eigen::Vector3d(1.0, 3.0, -2.0)));
+  const Eigen::Matrix3d from_east = SideView{0.5 * M_PI, 0.0}.ViewFromMap();
+  EXPECT_TRUE(
+      (from_east * Eigen::Vector3d(1.0, 2.0, 3.0)).isApprox(Eigen::Vector3d(2.0, 3.0, 1.0)));
+}
+
+TEST(SideViewTest, IsARotation) {
+  const Eigen::Matrix3d view = SideView{0.7, 0.4}.ViewFromMap();
+  EXPECT_TRUE((view * view.transpose()).isIdentity(1e-12));
+  EXPECT_NEAR(view.determinant(), 1.0, 1e-12);
+}
+
+TEST(PlaceCameraTest, MovesACameraThatLooksFromTheSideInItsOwnPlane) {
+  Panel panel;
+  panel.frame = kFrame;
+  panel.side = SideView{0.0, 0.0};
+  panel.camera = {{3.0, 2.0}, 0.05};
+  vtkNew<vtkRenderer> renderer;
+  PlaceCamera(panel, renderer);
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  EXPECT_DOUBLE_EQ(camera->GetFocalPoint()[0], 3.0);
+  EXPECT_NEAR(camera->GetFocalPoint()[2], 2.0, 1e-9);
+  EXPECT_LT(camera->GetPosition()[1], 0.0) << "it stands in the south";
+  EXPECT_DOUBLE_EQ(camera->GetViewUp()[2], 1.0);
+  EXPECT_DOUBLE_EQ(camera->GetParallelScale(), 0.5 * kFrame.height * 0.05);
+}
+
+TEST(SheetOfTest, HasThePaperAndTheAnnotationInPixels) {
+  Scene scene;
+  scene.width = 80;
+  scene.height = 60;
+  scene.paper = {1, 2, 3};
+  scene.annotation.resize(2);
+  const Panel sheet = SheetOf(scene);
+  EXPECT_EQ(sheet.frame.width, 80.0);
+  EXPECT_EQ(sheet.canvas, (Color{1, 2, 3}));
+  EXPECT_EQ(sheet.props.size(), 2u);
+  EXPECT_EQ(sheet.camera.center, Eigen::Vector2d(40.0, 30.0));
+  EXPECT_EQ(sheet.camera.meters_per_pixel, 1.0);
+}
+
 TEST(SetMovingTest, ShowsTheStandInOnlyWhileTheCameraMoves) {
   using When = LayerProp::When;
   Panel panel;

@@ -13,7 +13,8 @@ namespace loopscope {
 namespace {
 
 constexpr ViewKind kAllViews[] = {ViewKind::kMap,   ViewKind::kSubmap, ViewKind::kUpdate,
-                                  ViewKind::kMatch, ViewKind::kSearch, ViewKind::kGraph};
+                                  ViewKind::kMatch, ViewKind::kSearch, ViewKind::kGraph,
+                                  ViewKind::kTime,  ViewKind::kChart};
 
 TEST(ViewKindTest, NamesLeadBackToTheirKinds) {
   for (const ViewKind kind : kAllViews) EXPECT_EQ(ViewKindFromName(ToString(kind)), kind);
@@ -22,7 +23,8 @@ TEST(ViewKindTest, NamesLeadBackToTheirKinds) {
 
 TEST(ViewKindTest, AnUnknownNameIsRefusedWithTheKnownOnes) {
   EXPECT_EQ(MessageOf([] { ViewKindFromName("loop"); }),
-            "unknown view 'loop': expected one of map, submap, update, match, search, graph");
+            "unknown view 'loop': expected one of map, submap, update, match, search, graph, "
+            "time, chart");
 }
 
 TEST(LayerKindTest, NamesLeadBackToTheirKinds) {

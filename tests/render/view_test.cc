@@ -21,7 +21,8 @@ using testing::Not;
 using testing::StartsWith;
 
 constexpr ViewKind kAllViews[] = {ViewKind::kMap,   ViewKind::kSubmap, ViewKind::kUpdate,
-                                  ViewKind::kMatch, ViewKind::kSearch, ViewKind::kGraph};
+                                  ViewKind::kMatch, ViewKind::kSearch, ViewKind::kGraph,
+                                  ViewKind::kTime,  ViewKind::kChart};
 
 const Recording& SmallLoop() {
   static const Recording recording = MapLog(SimulateSmallLoop().log, SmallLoopOptions());
@@ -72,7 +73,7 @@ TEST(BuildSceneTest, EveryViewFillsItsPanelsAtAnySizeAndAnyStep) {
 
 TEST(BuildSceneTest, AlreadyTheFirstScanHasAMapASubmapAnUpdateAndAGraph) {
   for (const ViewKind view :
-       {ViewKind::kMap, ViewKind::kSubmap, ViewKind::kUpdate, ViewKind::kGraph}) {
+       {ViewKind::kMap, ViewKind::kSubmap, ViewKind::kUpdate, ViewKind::kGraph, ViewKind::kTime}) {
     ViewRequest request = RequestFor(view);
     request.step = 0;
     EXPECT_GT(NumProps(BuildScene(SmallLoop(), request)), 0u) << ToString(view);
@@ -100,6 +101,42 @@ TEST(BuildSceneTest, TheRequestMayAimTheMainCamera) {
   const Scene scene = BuildScene(SmallLoop(), request);
   EXPECT_EQ(scene.panels[0].camera.center, Eigen::Vector2d(1.5, -2.0));
   EXPECT_NEAR(scene.panels[0].camera.meters_per_pixel * scene.panels[0].frame.width, 3.0, 1e-9);
+}
+
+TEST(BuildSceneTest, OnlyTheViewTimeLooksFromTheSideAskedFor) {
+  ViewRequest request = RequestFor(ViewKind::kTime);
+  request.azimuth = 90.0;
+  request.elevation = 0.0;
+  const Scene scene = BuildScene(SmallLoop(), request);
+  ASSERT_TRUE(scene.panels.front().side.has_value());
+  EXPECT_DOUBLE_EQ(scene.panels.front().side->azimuth, 0.5 * M_PI);
+  EXPECT_DOUBLE_EQ(scene.panels.front().side->elevation, 0.0);
+  EXPECT_FALSE(scene.panels.front().is_map);
+  request.elevation = 90.5;
+  EXPECT_EQ(WhyRefused(request), "elevation 90.500000 degrees: expected 0 to 90");
+  request.view = ViewKind::kMap;
+  EXPECT_EQ(WhyRefused(request),
+            "view map is seen from above: expected azimuth and elevation for time");
+  EXPECT_FALSE(BuildScene(SmallLoop(), RequestFor(ViewKind::kGraph)).panels[0].side.has_value());
+}
+
+TEST(ViewRequestTest, IsAnotherFromAnotherSideOrWithAnotherChart) {
+  ViewRequest request;
+  request.azimuth = 10.0;
+  EXPECT_FALSE(request == ViewRequest());
+  request = ViewRequest();
+  request.elevation = 10.0;
+  EXPECT_FALSE(request == ViewRequest());
+  request = ViewRequest();
+  request.chart = ChartKind::kCosts;
+  EXPECT_FALSE(request == ViewRequest());
+  EXPECT_TRUE(ViewRequest() == ViewRequest());
+}
+
+TEST(BuildSceneTest, AChartHasNoMapToAimAt) {
+  ViewRequest request = RequestFor(ViewKind::kChart);
+  request.width_in_meters = 3.0;
+  EXPECT_EQ(WhyRefused(request), "view chart has no map: expected no center and no width of it");
 }
 
 TEST(BuildSceneTest, GivesTheLayersTheOpacitiesAskedFor) {

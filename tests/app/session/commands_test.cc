@@ -123,6 +123,16 @@ TEST_F(SessionCommandsTest, MoveTheCameraOfTheActiveView) {
   EXPECT_THAT(ErrorOf("camera.set 1 2 nan"), HasSubstr("expected 3 numbers"));
 }
 
+TEST_F(SessionCommandsTest, ChooseWhatTheChartShows) {
+  Run("view.chart");
+  EXPECT_EQ(session_.RequestOf(0).chart, ChartKind::kScores);
+  Run("chart.kind costs");
+  EXPECT_EQ(session_.RequestOf(0).chart, ChartKind::kCosts);
+  EXPECT_EQ(Run("edit.undo").chart, ChartKind::kScores);
+  EXPECT_THAT(ErrorOf("chart.kind pies"), HasSubstr("expected one of scores"));
+  EXPECT_THAT(ErrorOf("camera.set 1 2 3"), HasSubstr("view chart has no map"));
+}
+
 TEST_F(SessionCommandsTest, GoToALoopShowsItsPairWhenItWasClosed) {
   const int index = FirstCandidateWith(SmallLoopRun(), Verdict::kAccepted);
   const LoopCandidate& candidate = SmallLoopRun().candidates()[index];

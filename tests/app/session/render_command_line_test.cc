@@ -53,6 +53,21 @@ TEST(RenderCommandLine, TiesWhatLooksLikeAnOptionToItsOwn) {
             "loopscope render ./-run --view map --center=-1,2 --title=--step -o ./-out.png");
 }
 
+TEST(RenderCommandLine, SaysFromWhichSideToLookAndWhatToChart) {
+  ViewRequest time;
+  time.view = ViewKind::kTime;
+  time.azimuth = -45.5;
+  time.elevation = 0.0;
+  EXPECT_EQ(RenderCommandLine("r", time, "o"),
+            "loopscope render r --view time --azimuth=-45.5 --elevation 0 -o o");
+  ViewRequest chart;
+  chart.view = ViewKind::kChart;
+  EXPECT_EQ(RenderCommandLine("r", chart, "o"), "loopscope render r --view chart -o o");
+  chart.chart = ChartKind::kResidualHistogram;
+  EXPECT_EQ(RenderCommandLine("r", chart, "o"),
+            "loopscope render r --view chart --chart residual-histogram -o o");
+}
+
 TEST(RenderCommandLine, QuotesPaths) {
   EXPECT_EQ(RenderCommandLine("my run.loopscope", ViewRequest(), "it's.png"),
             "loopscope render 'my run.loopscope' --view map -o 'it'\\''s.png'");

@@ -124,6 +124,22 @@ TEST(SessionTest, AsksForTheSelectedPairInASearchAndForTheStepElsewhere) {
   EXPECT_FALSE(update.submap) << "the scan of step 150 did not go into submap 0";
 }
 
+TEST(SessionTest, AsksForNoSelectionInAChartAndInTheGraphOverTime) {
+  Session session = Loaded();
+  SessionState state = session.state();
+  state.tiles = {ViewKind::kTime, ViewKind::kChart};
+  state.node = NodeId{40};
+  state.submap = SubmapId{0};
+  state.chart = ChartKind::kResiduals;
+  session.Change("", state);
+  const ViewRequest time = session.RequestOf(0);
+  EXPECT_FALSE(time.node || time.submap);
+  EXPECT_EQ(time.chart, ChartKind::kScores) << "only a chart has a kind of chart";
+  const ViewRequest chart = session.RequestOf(1);
+  EXPECT_FALSE(chart.node || chart.submap);
+  EXPECT_EQ(chart.chart, ChartKind::kResiduals);
+}
+
 TEST(SessionTest, DoesNotAskForWhatHadNotBegunAtTheStep) {
   Session session = Loaded();
   SessionState state = AtStep(session, 0);

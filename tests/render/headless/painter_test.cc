@@ -73,6 +73,23 @@ TEST_F(PainterTest, DrawsLaterPropsOverEarlierOnes) {
   EXPECT_EQ(PixelOf(painter_.Draw(SceneWith({blue, red})), 40, 30), kRed);
 }
 
+TEST_F(PainterTest, FromTheSideWhatIsNearerHidesWhatIsDrawnLater) {
+  const auto square = [](double height, const Color& color) {
+    Shapes shapes;
+    shapes.SetHeight(height);
+    shapes.AddPolygon(RectangleCorners(Pose2(), {-10.0, -5.0}, {10.0, 5.0}), color);
+    return MakeSolidActor(shapes.Build());
+  };
+  Scene scene = SceneWith({square(3.0, kRed), square(0.0, kBlue)});
+  scene.panels[0].side = SideView{0.0, M_PI / 4.0};
+  const Picture picture = painter_.Draw(scene);
+  // Red is up to 5 sin 45 + 3 cos 45 = 5.7 from the middle, blue down to 3.5 from it.
+  EXPECT_EQ(PixelOf(picture, 40, 25), kRed);
+  EXPECT_EQ(PixelOf(picture, 40, 29), kRed);
+  EXPECT_EQ(PixelOf(picture, 40, 32), kBlue);
+  EXPECT_EQ(PixelOf(picture, 40, 23), (Color{10, 20, 30}));
+}
+
 TEST_F(PainterTest, MultipliesTheOpacityOfALayerWithThatOfItsColors) {
   const auto red = Rectangle(-10.0, -5.0, 10.0, 5.0, kRed);
   const auto veil = Rectangle(-10.0, -5.0, 10.0, 5.0, WithOpacity(kBlue, 0.5));

@@ -27,6 +27,19 @@ TEST(ShapesTest, EveryShapeKeepsItsColorAndPlace) {
   EXPECT_EQ(ColorOf(actor, 2), kBlue);
 }
 
+TEST(ShapesTest, LieAtTheHeightThatWasSet) {
+  Shapes shapes;
+  shapes.AddPoint({1.0, 2.0}, kRed);
+  shapes.SetHeight(7.0);
+  shapes.AddPoint({1.0, 2.0}, kRed);
+  shapes.AddSlope({1.0, 2.0}, 3.0, {1.0, 2.0}, 4.0, kRed);
+  shapes.AddPoint({1.0, 2.0}, kRed);
+  const auto data = shapes.Build();
+  const double expected[] = {0.0, 7.0, 3.0, 4.0, 7.0};
+  ASSERT_EQ(data->GetNumberOfPoints(), 5);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(data->GetPoint(i)[2], expected[i]) << i;
+}
+
 TEST(ShapesTest, AnOutlineIsClosed) {
   Shapes shapes;
   shapes.AddOutline({{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}}, kRed);

@@ -23,6 +23,8 @@ struct Ask : ViewRequest {
   Ask& Around(double x, double y, double meters) {
     return center = Eigen::Vector2d(x, y), width_in_meters = meters, *this;
   }
+  Ask& From(double degrees, double high) { return azimuth = degrees, elevation = high, *this; }
+  Ask& Chart(ChartKind kind) { return chart = kind, *this; }
   Ask& Visits(int value) { return search.num_visits = value, *this; }
   Ask& Height(int value) { return search.height = value, *this; }
   Ask& Angle(int index) { return search.angle_index = index, *this; }
@@ -80,6 +82,20 @@ PICTURE(graph_with_selected_loop, Ask(V::kGraph).Node(122).Submap(1))
 PICTURE(graph_with_selected_submap, Ask(V::kGraph).Submap(3).ColorBlind())
 PICTURE(graph_tiny, Ask(V::kGraph).Size(320, 240))
 PICTURE(graph_color_blind, Ask(V::kGraph).ColorBlind())
+PICTURE(time, Ask(V::kTime))
+PICTURE(time_at_first_step, Ask(V::kTime).Step(0))
+PICTURE(time_from_above, Ask(V::kTime).From(0.0, 90.0))
+PICTURE(time_tiny, Ask(V::kTime).Size(320, 240))
+PICTURE(time_color_blind, Ask(V::kTime).From(70.0, 15.0).ColorBlind())
+PICTURE(time_with_intra, Ask(V::kTime).Layers({L::kGrid, L::kIntra, L::kNodes, L::kLabels}))
+PICTURE(chart_scores, Ask(V::kChart))
+PICTURE(chart_scores_at_first_step, Ask(V::kChart).Step(0))
+PICTURE(chart_scores_color_blind, Ask(V::kChart).ColorBlind())
+PICTURE(chart_scores_tiny, Ask(V::kChart).Size(320, 240))
+PICTURE(chart_score_histogram, Ask(V::kChart).Chart(ChartKind::kScoreHistogram))
+PICTURE(chart_residuals, Ask(V::kChart).Chart(ChartKind::kResiduals))
+PICTURE(chart_residual_histogram, Ask(V::kChart).Chart(ChartKind::kResidualHistogram))
+PICTURE(chart_costs, Ask(V::kChart).Chart(ChartKind::kCosts))
 
 TEST(PicturesTest, AreTheSameByEgl) {
   ExpectView("update", Ask(V::kUpdate).Step(140), Backend::kEgl);

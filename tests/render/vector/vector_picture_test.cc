@@ -72,6 +72,14 @@ TEST(EncodeVectorPictureTest, PutsPointsOfAPanelWhereThePngHasThem) {
   EXPECT_THAT(Svg(SceneWith({Line(kRed)})), HasSubstr("M 30 40 L 50 35"));
 }
 
+TEST(EncodeVectorPictureTest, LooksFromTheSideAsThePngDoes) {
+  Shapes slope;
+  slope.AddSlope({-10.0, 7.0}, 0.0, {10.0, 8.0}, 5.0, kRed);
+  Scene scene = SceneWith({MakeActor(slope.Build())});
+  scene.panels[0].side = SideView{0.0, 0.0};
+  EXPECT_THAT(Svg(scene), HasSubstr("M 30 40 L 50 35"));
+}
+
 TEST(EncodeVectorPictureTest, HasTheSameLinesForAnOversampledScene) {
   Scene scene = SceneWith({Line(kRed)});
   scene.width *= 2;
