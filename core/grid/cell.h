@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cmath>
 #include <vector>
 
 #include <Eigen/Core>
@@ -19,10 +18,15 @@ struct CellIndex {
 inline bool operator==(CellIndex a, CellIndex b) { return a.x == b.x && a.y == b.y; }
 inline bool operator!=(CellIndex a, CellIndex b) { return !(a == b); }
 
+/// std::floor, which is a call of a function on plain x86-64.
+inline int FloorToInt(double value) {
+  const int truncated = static_cast<int>(value);
+  return truncated - (value < truncated ? 1 : 0);
+}
+
 /// The cell whose pixel holds `point` [m].
 inline CellIndex CellOf(const Eigen::Vector2d& point, double resolution) {
-  return {static_cast<int>(std::floor(point.x() / resolution + 0.5)),
-          static_cast<int>(std::floor(point.y() / resolution + 0.5))};
+  return {FloorToInt(point.x() / resolution + 0.5), FloorToInt(point.y() / resolution + 0.5)};
 }
 
 /// Where the grid point stands [m].

@@ -3,7 +3,9 @@
 #include "core/matching/precomputed_grids.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+
+#include "core/matching/block_sums.h"
 
 namespace loopscope {
 namespace {
@@ -14,40 +16,87 @@ std::uint8_t ToByte(CellValue value) {
                                    (kMaxCellValue - 1));
 }
 
+using ByteTable = std::array<std::uint8_t, kMaxCellValue + 1>;
+
+const ByteTable& Bytes() {
+  static const ByteTable table = [] {
+    ByteTable made;
+    for (int value = 0; value <= kMaxCellValue; ++value) {
+      made[value] = ToByte(static_cast<CellValue>(value));
+    }
+    return made;
+  }();
+  return table;
+}
+
+/// The box of the blocks of 2^height cells that reach into `box`.
+CellBox Lower(const CellBox& box, int height) {
+  const int reach = (1 << height) - 1;
+  if (box.empty()) return box;
+  return {{box.min.x - reach, box.min.y - reach}, box.width + reach, box.height + reach};
+}
+
 }  // namespace
 
-PrecomputedGrid::PrecomputedGrid(const ProbabilityGrid& grid) : box_(grid.KnownBox()) {
-  values_.reserve(box_.num_cells());
-  for (int y = box_.min.y; y < box_.min.y + box_.height; ++y) {
-    for (int x = box_.min.x; x < box_.min.x + box_.width; ++x) {
-      values_.push_back(ToByte(grid.value({x, y})));
-    }
+PrecomputedGrid::PrecomputedGrid(const CellBox& box, int height)
+    : box_(box),
+      height_(height),
+      strip_length_((box.width + stride() - 1) >> height),
+      row_length_(strip_start(stride())),
+      values_(static_cast<std::size_t>(row_length_) * box.height, 0) {}
+
+PrecomputedGrid::PrecomputedGrid(const ProbabilityGrid& grid)
+    : PrecomputedGrid(grid.KnownBox(), 0) {
+  const ByteTable& bytes = Bytes();
+  for (int y = 0; y < box_.height; ++y) {
+    const CellValue* from =
+        grid.cells().data() + grid.box().FlatIndex({box_.min.x, box_.min.y + y});
+    std::uint8_t* to = mutable_row(y) + strip_start(0);
+    for (int x = 0; x < box_.width; ++x) to[x] = bytes[from[x]];
   }
 }
 
-PrecomputedGrid PrecomputedGrid::Coarser() const {
-  const int half = 1 << height_;
-  PrecomputedGrid coarser;
-  coarser.height_ = height_ + 1;
-  coarser.box_ = {{box_.min.x - half, box_.min.y - half}, box_.width + half, box_.height + half};
-  coarser.values_.assign(coarser.box_.num_cells(), 0);
-  // Each value of ours is part of the four blocks that begin at it or `half` lower in x, y or both.
-  for (int row = 0; row < box_.height; ++row) {
-    const std::uint8_t* from = values_.data() + static_cast<std::size_t>(row) * box_.width;
-    for (const int to_row : {row, row + half}) {
-      std::uint8_t* to =
-          coarser.values_.data() + static_cast<std::size_t>(to_row) * coarser.box_.width;
-      for (int x = 0; x < box_.width; ++x) to[x] = std::max(to[x], from[x]);
-      for (int x = 0; x < box_.width; ++x) to[x + half] = std::max(to[x + half], from[x]);
+PrecomputedGrid::PrecomputedGrid(const PrecomputedGrid& finest, int height)
+    : PrecomputedGrid(Lower(finest.box(), height), height) {
+  const int reach = stride() - 1;
+  const int width = finest.box().width;
+  // Maxima of `stride` rows, by doubling: of 1, of 2, of 4, ... Below the low border stand zeros.
+  const int num_rows = box_.height;
+  std::vector<std::uint8_t> columns(static_cast<std::size_t>(num_rows + reach) * width, 0);
+  for (int y = 0; y < finest.box().height; ++y) {
+    std::copy_n(finest.row(y) + finest.strip_start(0), width,
+                columns.data() + static_cast<std::size_t>(y + reach) * width);
+  }
+  for (int half = 1; half < stride(); half *= 2) {
+    MaximaOfShifted(columns.data(), static_cast<std::size_t>(half) * width,
+                    static_cast<std::size_t>(num_rows + reach - half) * width);
+  }
+  // The same along each row, whose entries then go to their strips.
+  const int padded_width = strip_length_ * stride();
+  std::vector<std::uint8_t> line;
+  for (int y = 0; y < num_rows; ++y) {
+    line.assign(padded_width + reach, 0);
+    std::copy_n(columns.data() + static_cast<std::size_t>(y) * width, width, line.data() + reach);
+    for (int half = 1; half < stride(); half *= 2) {
+      MaximaOfShifted(line.data(), half, line.size() - half);
+    }
+    for (int p = 0; p < stride(); ++p) {
+      std::uint8_t* strip = mutable_row(y) + strip_start(p);
+      for (int k = 0; k < strip_length_; ++k) strip[k] = line[(k << height_) + p];
     }
   }
-  return coarser;
 }
 
 PrecomputedGrids::PrecomputedGrids(const ProbabilityGrid& grid, int depth)
-    : resolution_(grid.resolution()) {
-  grids_.emplace_back(grid);
-  while (static_cast<int>(grids_.size()) < depth) grids_.push_back(grids_.back().Coarser());
+    : resolution_(grid.resolution()), finest_(grid), coarser_(depth - 1) {}
+
+const PrecomputedGrid& PrecomputedGrids::at_height(int height) const {
+  if (height == 0) return finest_;
+  Coarser& coarser = coarser_[height - 1];
+  std::call_once(coarser.made, [&] {
+    coarser.grid = std::make_unique<const PrecomputedGrid>(finest_, height);
+  });
+  return *coarser.grid;
 }
 
 }  // namespace loopscope

@@ -5,7 +5,6 @@
 #include "core/grid/ray_cast.h"
 #include "core/grid/scan_inserter.h"
 #include "core/io/carmen_log.h"
-#include "core/matching/branch_and_bound.h"
 #include "core/matching/ceres_scan_matcher.h"
 #include "core/matching/correlative_scan_matcher.h"
 #include "core/slam/derive.h"
@@ -75,31 +74,6 @@ void BM_MatchWithCeres(benchmark::State& state) {
   }
 }
 BENCHMARK(BM_MatchWithCeres)->Unit(benchmark::kMicrosecond);
-
-void BM_PrecomputeGrids(benchmark::State& state) {
-  const int depth = BranchAndBoundOptions().branch_and_bound_depth;
-  for (auto _ : state) BranchAndBoundMatcher(Match().grid, depth);
-}
-BENCHMARK(BM_PrecomputeGrids)->Unit(benchmark::kMillisecond);
-
-// A guess that is off by metres, as after a long loop.
-void BM_BranchAndBound(benchmark::State& state) {
-  const BranchAndBoundOptions options;
-  const BranchAndBoundMatcher matcher(Match().grid, options.branch_and_bound_depth);
-  const Pose2 guess = Match().submap_from_base * Pose2(3.0, -2.0, DegreesToRadians(15.0));
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(matcher.Search(Match().points, guess, options.linear_search_window,
-                                            options.angular_search_window, 0.5));
-  }
-}
-BENCHMARK(BM_BranchAndBound)->Unit(benchmark::kMillisecond);
-
-void BM_BranchAndBoundWholeSubmap(benchmark::State& state) {
-  const BranchAndBoundOptions options;
-  const BranchAndBoundMatcher matcher(Match().grid, options.branch_and_bound_depth);
-  for (auto _ : state) benchmark::DoNotOptimize(matcher.SearchWholeSubmap(Match().points, 0.5));
-}
-BENCHMARK(BM_BranchAndBoundWholeSubmap)->Unit(benchmark::kMillisecond);
 
 void BM_Simulate(benchmark::State& state) {
   const World world = MakeWorld("office");

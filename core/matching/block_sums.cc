@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/matching/block_sums.h"
+
+#include <algorithm>
+
+#include "core/matching/precomputed_grids.h"
+
+// Highway compiles the functions between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE once for each
+// instruction set, and chooses when the program runs.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/matching/block_sums.cc"
+#include <hwy/foreach_target.h>
+// Must come after it.
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace loopscope::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Sums of so many bytes fit into 16 bits.
+constexpr std::size_t kMaxSummands = 257;
+
+/// The sums of a row of blocks.
+#if HWY_TARGET == HWY_SCALAR
+class RowSums {
+ public:
+  void Add(const std::uint8_t* entries) {
+    for (int k = 0; k < kBlocksPerSide; ++k) sums_[k] += entries[k];
+  }
+  void AddTo(std::int32_t* totals) const {
+    for (int k = 0; k < kBlocksPerSide; ++k) totals[k] += sums_[k];
+  }
+
+ private:
+  std::int32_t sums_[kBlocksPerSide] = {};
+};
+#else
+class RowSums {
+ public:
+  HWY_INLINE RowSums() : sums_(hn::Zero(Words())) {}
+  HWY_INLINE void Add(const std::uint8_t* entries) {
+    sums_ = hn::Add(sums_, hn::PromoteTo(Words(), hn::LoadU(Bytes(), entries)));
+  }
+  HWY_INLINE void AddTo(std::int32_t* totals) const {
+    HWY_ALIGN std::uint16_t sums[kBlocksPerSide];
+    hn::Store(sums_, Words(), sums);
+    for (int k = 0; k < kBlocksPerSide; ++k) totals[k] += sums[k];
+  }
+
+ private:
+  using Bytes = hn::FixedTag<std::uint8_t, kBlocksPerSide>;
+  using Words = hn::FixedTag<std::uint16_t, kBlocksPerSide>;
+  hn::Vec<Words> sums_;
+};
+#endif
+
+void SumSomeBlocks(const PrecomputedGrid& grid, const CellIndex* cells, std::size_t num_cells,
+                   CellIndex offset, BlockSums* totals) {
+  RowSums sums[kBlocksPerSide];
+  const int height = grid.height();
+  const int stride = grid.stride();
+  const std::ptrdiff_t row_step = static_cast<std::ptrdiff_t>(stride) * grid.row_length();
+  const CellIndex origin{offset.x - grid.box().min.x, offset.y - grid.box().min.y};
+  const int last_whole = grid.box().height - (kBlocksPerSide - 1) * stride;
+  for (std::size_t i = 0; i < num_cells; ++i) {
+    const int x = cells[i].x + origin.x;
+    const int y = cells[i].y + origin.y;
+    const int k = x >> height;
+    if (k <= -kBlocksPerSide || k >= grid.strip_length()) continue;
+    const int place = grid.strip_start(x & (stride - 1)) + k;
+    if (y >= 0 && y < last_whole) {
+      const std::uint8_t* const entries = grid.row(y) + place;
+#pragma GCC unroll 8  // keeps the sums in registers
+      for (int j = 0; j < kBlocksPerSide; ++j) sums[j].Add(entries + j * row_step);
+      continue;
+    }
+#pragma GCC unroll 8
+    for (int j = 0; j < kBlocksPerSide; ++j) {
+      const int row = y + j * stride;
+      if (row >= 0 && row < grid.box().height) sums[j].Add(grid.row(row) + place);
+    }
+  }
+#pragma GCC unroll 8
+  for (int j = 0; j < kBlocksPerSide; ++j) sums[j].AddTo(totals->data() + j * kBlocksPerSide);
+}
+
+void SumBlocksHere(const PrecomputedGrid& grid, const CellIndex* cells, std::size_t num_cells,
+                   CellIndex offset, BlockSums* totals) {
+  for (std::size_t i = 0; i < num_cells; i += kMaxSummands) {
+    SumSomeBlocks(grid, cells + i, std::min(kMaxSummands, num_cells - i), offset, totals);
+  }
+}
+
+void MaximaOfShiftedHere(std::uint8_t* values, std::size_t shift, std::size_t count) {
+  const hn::ScalableTag<std::uint8_t> bytes;
+  const std::size_t num_lanes = hn::Lanes(bytes);
+  std::size_t i = 0;
+  for (; i + num_lanes <= count; i += num_lanes) {
+    const auto shifted = hn::LoadU(bytes, values + i + shift);
+    hn::StoreU(hn::Max(hn::LoadU(bytes, values + i), shifted), bytes, values + i);
+  }
+  for (; i < count; ++i) values[i] = std::max(values[i], values[i + shift]);
+}
+
+}  // namespace loopscope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace loopscope {
+
+HWY_EXPORT(SumBlocksHere);
+HWY_EXPORT(MaximaOfShiftedHere);
+
+BlockSums SumBlocks(const PrecomputedGrid& grid, const std::vector<CellIndex>& cells,
+                    CellIndex offset) {
+  BlockSums totals{};
+  HWY_DYNAMIC_DISPATCH(SumBlocksHere)(grid, cells.data(), cells.size(), offset, &totals);
+  return totals;
+}
+
+void MaximaOfShifted(std::uint8_t* values, std::size_t shift, std::size_t count) {
+  HWY_DYNAMIC_DISPATCH(MaximaOfShiftedHere)(values, shift, count);
+}
+
+}  // namespace loopscope
+#endif

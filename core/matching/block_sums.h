@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/grid/cell.h"
+
+namespace loopscope {
+
+class PrecomputedGrid;
+
+// The inner loops of the branch and bound, for whatever vectors the processor has. They compute
+// with integers only, and so give the same on all processors.
+
+/// Blocks of a square of the search tree, row-major, lowest y first.
+constexpr int kBlocksPerSide = 8;
+using BlockSums = std::array<std::int32_t, kBlocksPerSide * kBlocksPerSide>;
+
+/// The sums of eq. 16 for 8 x 8 neighbouring blocks at once, the first at `offset`, the others
+/// `grid.stride()` apart: entry (i, j) is the sum of the values of `grid` at cells + offset +
+/// stride * (i, j).
+BlockSums SumBlocks(const PrecomputedGrid& grid, const std::vector<CellIndex>& cells,
+                    CellIndex offset);
+
+/// values[i] = max(values[i], values[i + shift]) for i = 0 ... count - 1, in this order.
+void MaximaOfShifted(std::uint8_t* values, std::size_t shift, std::size_t count);
+
+}  // namespace loopscope
