@@ -2,80 +2,244 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/graph/graph_solver.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <map>
+#include <optional>
 #include <utility>
 
-#include <ceres/covariance.h>
-#include <ceres/loss_function.h>
-#include <ceres/problem.h>
-#include <ceres/solver.h>
-
+#include "core/graph/block_system.h"
 #include "core/graph/spa_cost.h"
 
 namespace loopscope {
 namespace {
 
-using PoseBlock = Eigen::Vector3d;  ///< x, y, theta
+// As Ceres has them by default.
+constexpr double kFunctionTolerance = 1e-6;
+constexpr double kFirstRadius = 1e4;
+constexpr double kMaxRadius = 1e16;
+constexpr double kMinRadius = 1e-32;
+constexpr double kMinGain = 1e-3;
+constexpr double kMinDamping = 1e-6;
+constexpr double kMaxDamping = 1e32;
 
-std::vector<PoseBlock> ToBlocks(const std::vector<Pose2>& poses) {
-  std::vector<PoseBlock> blocks;
-  blocks.reserve(poses.size());
-  for (const Pose2& pose : poses) blocks.emplace_back(pose.x(), pose.y(), pose.rotation);
-  return blocks;
-}
+constexpr int kHeld = -1;  ///< submap 0, which is no unknown
 
-std::vector<Pose2> ToPoses(const std::vector<PoseBlock>& blocks) {
-  std::vector<Pose2> poses;
-  poses.reserve(blocks.size());
-  for (const PoseBlock& block : blocks) {
-    poses.emplace_back(block.x(), block.y(), NormalizeAngle(block.z()));
-  }
-  return poses;
-}
-
-/// A GraphProblem as Ceres wants it.
-class CeresGraph {
- public:
-  CeresGraph(const GraphProblem& graph, const OptimizationProblemOptions& options)
-      : submaps_(ToBlocks(graph.global_from_submap)), nodes_(ToBlocks(graph.global_from_node)) {
-    for (const Constraint& c : graph.constraints) {
-      ceres::LossFunction* loss = c.tag == Constraint::Tag::kInterSubmap
-                                      ? new ceres::HuberLoss(options.huber_scale)
-                                      : nullptr;
-      problem_.AddResidualBlock(
-          MakeSpaCost(c.submap_from_node, c.translation_weight, c.rotation_weight).release(), loss,
-          submap_block(c.submap), node_block(c.node));
-    }
-    for (const ConsecutiveNodes& c : graph.consecutive_nodes) {
-      problem_.AddResidualBlock(
-          MakeSpaCost(c.first_from_second, c.translation_weight, c.rotation_weight).release(),
-          nullptr, node_block(c.first), node_block(c.second));
-    }
-    problem_.SetParameterBlockConstant(submap_block(SubmapId{0}));
-  }
-
-  ceres::Problem& problem() { return problem_; }
-  double* submap_block(SubmapId id) { return submaps_[id.index].data(); }
-  double* node_block(NodeId id) { return nodes_[id.index].data(); }
-  std::vector<Pose2> submap_poses() const { return ToPoses(submaps_); }
-  std::vector<Pose2> node_poses() const { return ToPoses(nodes_); }
-
- private:
-  std::vector<PoseBlock> submaps_;
-  std::vector<PoseBlock> nodes_;
-  ceres::Problem problem_;
+/// A term of eq. 4: how j was seen from i.
+struct Term {
+  int i = kHeld;  ///< unknowns: submaps from the second on, then nodes
+  int j = kHeld;
+  Pose2 i_from_j;
+  Eigen::Vector3d weights;  ///< [1/m, 1/m, 1/rad]
+  bool robust = false;      ///< with Huber's loss
+  int coupling = -1;        ///< of the block system, at (j, i); -1 if i is held
 };
 
-std::optional<Eigen::Matrix3d> CovarianceOfBlock(CeresGraph* graph, double* block) {
-  ceres::Covariance::Options options;
-  options.algorithm_type = ceres::SPARSE_QR;
-  options.num_threads = 1;
-  ceres::Covariance covariance(options);
-  const std::vector<std::pair<const double*, const double*>> wanted{{block, block}};
-  if (!covariance.Compute(wanted, &graph->problem())) return std::nullopt;
-  Eigen::Matrix<double, 3, 3, Eigen::RowMajor> matrix;
-  covariance.GetCovarianceBlock(block, block, matrix.data());
-  return matrix;
+struct Poses {
+  Pose2 held;
+  std::vector<Pose2> unknowns;
+
+  const Pose2& at(int unknown) const { return unknown == kHeld ? held : unknowns[unknown]; }
+};
+
+/// Eq. 4 as a least squares problem, and the quadratic that it is near some poses:
+/// H = J^T W J, g = J^T W e, where e are the weighted errors of eq. 5 and W the weights by which
+/// Huber's loss stands for a square there.
+class LeastSquares {
+ public:
+  LeastSquares(const GraphProblem& graph, double huber_scale)
+      : num_submaps_(static_cast<int>(graph.global_from_submap.size())),
+        huber_scale_(huber_scale),
+        terms_(TermsOf(graph)),
+        system_(MakeSystem(num_submaps_ - 1 + static_cast<int>(graph.global_from_node.size()))),
+        gradient_(Eigen::VectorXd::Zero(3 * num_unknowns_)) {}
+
+  Poses Start(const GraphProblem& graph) const {
+    Poses poses{graph.global_from_submap.front(), graph.global_from_submap};
+    poses.unknowns.erase(poses.unknowns.begin());
+    poses.unknowns.insert(poses.unknowns.end(), graph.global_from_node.begin(),
+                          graph.global_from_node.end());
+    return poses;
+  }
+
+  /// Half the sum of eq. 4.
+  double Cost(const Poses& poses) const {
+    double cost = 0.0;
+    for (const Term& term : terms_) {
+      const double square = WeightedError(term, poses).squaredNorm();
+      cost += 0.5 * (IsLinear(term, square) ? huber_scale_ * (2.0 * std::sqrt(square) - huber_scale_)
+                                            : square);
+    }
+    return cost;
+  }
+
+  void Linearize(const Poses& poses) {
+    system_.SetZero();
+    gradient_.setZero();
+    for (const Term& term : terms_) {
+      Eigen::Vector3d error = WeightedError(term, poses);
+      SpaDerivatives jacobian = DerivativesOfSpaError(poses.at(term.i), poses.at(term.j));
+      const double square = error.squaredNorm();
+      const double scale = IsLinear(term, square) ? std::sqrt(huber_scale_ / std::sqrt(square)) : 1.0;
+      error *= scale;
+      jacobian.by_i = scale * term.weights.asDiagonal() * jacobian.by_i;
+      jacobian.by_j = scale * term.weights.asDiagonal() * jacobian.by_j;
+      AddUnknown(term.i, jacobian.by_i, error);
+      AddUnknown(term.j, jacobian.by_j, error);
+      if (term.coupling >= 0) {
+        system_.coupling(term.coupling).noalias() += jacobian.by_j.transpose() * jacobian.by_i;
+      }
+    }
+    diagonal_.resize(gradient_.size());
+    for (int i = 0; i < num_unknowns_; ++i) {
+      diagonal_.segment<3>(3 * i) = system_.diagonal(i).diagonal();
+    }
+  }
+
+  /// After Linearize: the g and the diagonal of H.
+  const Eigen::VectorXd& gradient() const { return gradient_; }
+  const Eigen::VectorXd& diagonal() const { return diagonal_; }
+  BlockSystem& system() { return system_; }
+
+  int unknown(SubmapId id) const { return id.index == 0 ? kHeld : id.index - 1; }
+  int unknown(NodeId id) const { return num_submaps_ - 1 + id.index; }
+
+ private:
+  std::vector<Term> TermsOf(const GraphProblem& graph) const {
+    std::vector<Term> terms;
+    terms.reserve(graph.constraints.size() + graph.consecutive_nodes.size());
+    const auto add = [&](int i, int j, const Pose2& i_from_j, double translation_weight,
+                         double rotation_weight, bool robust) {
+      terms.push_back({i, j, i_from_j,
+                       {translation_weight, translation_weight, rotation_weight}, robust, -1});
+    };
+    for (const Constraint& c : graph.constraints) {
+      add(unknown(c.submap), unknown(c.node), c.submap_from_node, c.translation_weight,
+          c.rotation_weight, c.tag == Constraint::Tag::kInterSubmap);
+    }
+    for (const ConsecutiveNodes& c : graph.consecutive_nodes) {
+      add(unknown(c.first), unknown(c.second), c.first_from_second, c.translation_weight,
+          c.rotation_weight, false);
+    }
+    return terms;
+  }
+
+  BlockSystem MakeSystem(int num_unknowns) {
+    num_unknowns_ = num_unknowns;
+    std::vector<BlockSystem::Coupling> couplings;
+    std::map<std::pair<int, int>, int> index_of;
+    for (Term& term : terms_) {
+      if (term.i == kHeld) continue;
+      assert(term.j > term.i);
+      const auto [entry, is_new] =
+          index_of.emplace(std::pair(term.j, term.i), static_cast<int>(couplings.size()));
+      if (is_new) couplings.push_back({term.j, term.i});
+      term.coupling = entry->second;
+    }
+    return BlockSystem(num_unknowns, std::move(couplings), num_submaps_ - 1);
+  }
+
+  static Eigen::Vector3d WeightedError(const Term& term, const Poses& poses) {
+    return term.weights.cwiseProduct(SpaError(term.i_from_j, poses.at(term.i), poses.at(term.j)));
+  }
+
+  bool IsLinear(const Term& term, double square) const {
+    return term.robust && square > huber_scale_ * huber_scale_;
+  }
+
+  void AddUnknown(int unknown, const Eigen::Matrix3d& jacobian, const Eigen::Vector3d& error) {
+    if (unknown == kHeld) return;
+    system_.diagonal(unknown).noalias() += jacobian.transpose() * jacobian;
+    gradient_.segment<3>(3 * unknown).noalias() += jacobian.transpose() * error;
+  }
+
+  int num_submaps_;
+  double huber_scale_;
+  int num_unknowns_ = 0;
+  std::vector<Term> terms_;
+  BlockSystem system_;
+  Eigen::VectorXd gradient_;
+  Eigen::VectorXd diagonal_;
+};
+
+Poses Moved(const Poses& poses, const Eigen::VectorXd& step) {
+  Poses moved = poses;
+  for (std::size_t i = 0; i < moved.unknowns.size(); ++i) {
+    Pose2& pose = moved.unknowns[i];
+    pose.translation += step.segment<2>(3 * i);
+    pose.rotation = NormalizeAngle(pose.rotation + step[3 * i + 2]);
+  }
+  return moved;
+}
+
+GraphSolution ToSolution(const Poses& poses, int num_submaps, int num_iterations,
+                         double initial_cost, double final_cost) {
+  const auto first_node = poses.unknowns.begin() + (num_submaps - 1);
+  GraphSolution solution{{poses.held}, {first_node, poses.unknowns.end()}, num_iterations,
+                         initial_cost, final_cost};
+  solution.global_from_submap.insert(solution.global_from_submap.end(), poses.unknowns.begin(),
+                                     first_node);
+  return solution;
+}
+
+/// How far steps are trusted: as Levenberg and Marquardt have it, in the form of Ceres.
+class TrustRegion {
+ public:
+  bool IsTooSmall() const { return radius_ < kMinRadius; }
+  Eigen::VectorXd DampingOf(const Eigen::VectorXd& diagonal) const {
+    return diagonal.cwiseMax(kMinDamping).cwiseMin(kMaxDamping) / radius_;
+  }
+  /// `gain` is the share of the expected gain that a step brought.
+  void Grow(double gain) {
+    radius_ /= std::max(1.0 / 3.0, 1.0 - std::pow(2.0 * gain - 1.0, 3));
+    radius_ = std::min(radius_, kMaxRadius);
+    shrink_ = 2.0;
+  }
+  void Shrink() {
+    radius_ /= shrink_;
+    shrink_ *= 2.0;
+  }
+
+ private:
+  double radius_ = kFirstRadius;
+  double shrink_ = 2.0;
+};
+
+/// A step from the poses that `least_squares` is linearized at.
+struct Trial {
+  Poses poses;
+  double cost = 0.0;
+  double gain = 0.0;  ///< share of the gain that the quadratic promised
+};
+
+/// Nothing if the damped quadratic has no minimum.
+std::optional<Trial> TryStep(LeastSquares* least_squares, const Poses& poses, double cost,
+                             const TrustRegion& region) {
+  const Eigen::VectorXd damping = region.DampingOf(least_squares->diagonal());
+  if (!least_squares->system().Factorize(damping)) return std::nullopt;
+  const Eigen::VectorXd& gradient = least_squares->gradient();
+  const Eigen::VectorXd step = -least_squares->system().Solve(gradient);
+  const double promised = 0.5 * (step.dot(damping.cwiseProduct(step)) - step.dot(gradient));
+  Trial trial{Moved(poses, step), 0.0, 0.0};
+  trial.cost = least_squares->Cost(trial.poses);
+  trial.gain = promised > 0.0 ? (cost - trial.cost) / promised : 0.0;
+  return trial;
+}
+
+/// The inverse of H at the block of `unknown`.
+std::optional<Eigen::Matrix3d> CovarianceOf(const GraphProblem& problem, int unknown,
+                                            LeastSquares* least_squares) {
+  least_squares->Linearize(least_squares->Start(problem));
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(least_squares->gradient().size());
+  if (!least_squares->system().Factorize(none)) return std::nullopt;
+  Eigen::Matrix3d covariance;
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::VectorXd column =
+        least_squares->system().Solve(Eigen::VectorXd::Unit(none.size(), 3 * unknown + i));
+    covariance.col(i) = column.segment<3>(3 * unknown);
+  }
+  return covariance;
 }
 
 }  // namespace
@@ -83,33 +247,43 @@ std::optional<Eigen::Matrix3d> CovarianceOfBlock(CeresGraph* graph, double* bloc
 GraphSolution SolveGraph(const GraphProblem& problem, const OptimizationProblemOptions& options,
                          int max_num_iterations) {
   assert(!problem.global_from_submap.empty());
-  CeresGraph graph(problem, options);
-  ceres::Solver::Options solver_options;
-  solver_options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
-  solver_options.sparse_linear_algebra_library_type = ceres::SUITE_SPARSE;
-  solver_options.use_nonmonotonic_steps = options.use_nonmonotonic_steps;
-  solver_options.max_num_iterations = max_num_iterations;
-  solver_options.num_threads = 1;
-  solver_options.logging_type = ceres::SILENT;
-  ceres::Solver::Summary summary;
-  ceres::Solve(solver_options, &graph.problem(), &summary);
-  return {graph.submap_poses(), graph.node_poses(), static_cast<int>(summary.iterations.size()),
-          summary.initial_cost, summary.final_cost};
+  LeastSquares least_squares(problem, options.huber_scale);
+  Poses poses = least_squares.Start(problem);
+  const double initial_cost = least_squares.Cost(poses);
+  double cost = initial_cost;
+  TrustRegion region;
+  least_squares.Linearize(poses);
+  int num_iterations = 0;
+  for (bool done = false; !done && num_iterations < max_num_iterations; ++num_iterations) {
+    std::optional<Trial> trial = TryStep(&least_squares, poses, cost, region);
+    if (!trial || !(trial->gain > kMinGain)) {
+      region.Shrink();
+      done = region.IsTooSmall() || (trial && std::abs(cost - trial->cost) <= kFunctionTolerance * cost);
+      continue;
+    }
+    region.Grow(trial->gain);
+    done = cost - trial->cost <= kFunctionTolerance * cost;
+    cost = trial->cost;
+    poses = std::move(trial->poses);
+    if (!done) least_squares.Linearize(poses);
+  }
+  return ToSolution(poses, static_cast<int>(problem.global_from_submap.size()), num_iterations,
+                    initial_cost, cost);
 }
 
 std::optional<Eigen::Matrix3d> CovarianceOfNode(const GraphProblem& problem,
                                                 const OptimizationProblemOptions& options,
                                                 NodeId node) {
-  CeresGraph graph(problem, options);
-  return CovarianceOfBlock(&graph, graph.node_block(node));
+  LeastSquares least_squares(problem, options.huber_scale);
+  return CovarianceOf(problem, least_squares.unknown(node), &least_squares);
 }
 
 std::optional<Eigen::Matrix3d> CovarianceOfSubmap(const GraphProblem& problem,
                                                   const OptimizationProblemOptions& options,
                                                   SubmapId submap) {
   if (submap.index == 0) return Eigen::Matrix3d(Eigen::Matrix3d::Zero());
-  CeresGraph graph(problem, options);
-  return CovarianceOfBlock(&graph, graph.submap_block(submap));
+  LeastSquares least_squares(problem, options.huber_scale);
+  return CovarianceOf(problem, least_squares.unknown(submap), &least_squares);
 }
 
 }  // namespace loopscope

@@ -46,7 +46,6 @@ struct OptimizationProblemOptions {
   double local_slam_pose_rotation_weight = 1e5;
   double odometry_translation_weight = 1e5;
   double odometry_rotation_weight = 1e5;
-  bool use_nonmonotonic_steps = false;
   int max_num_iterations = 50;
 };
 

@@ -222,6 +222,7 @@ void AppendPoseGraph(Stock* stock) {
          {
              {"acceleration_weight", 110.0},
              {"ceres_solver_options.num_threads", 7.0},
+             {"ceres_solver_options.use_nonmonotonic_steps", false},
              {"fix_z_in_3d", false},
              {"fixed_frame_pose_rotation_weight", 100.0},
              {"fixed_frame_pose_tolerant_loss_param_a", 1.0},

@@ -199,8 +199,6 @@ Rows OptimizationProblemRows(OptimizationProblemOptions* o) {
        "How stiff odometry is between consecutive nodes in position."},
       {"odometry_rotation_weight", &o->odometry_rotation_weight, 0, kMaxWeight, "1/rad",
        "How stiff odometry is between consecutive nodes in heading."},
-      {"ceres_solver_options.use_nonmonotonic_steps", &o->use_nonmonotonic_steps, 0, 0, "",
-       "Whether the solver may take steps that raise the cost."},
       {"ceres_solver_options.max_num_iterations", &o->max_num_iterations, 0, kMaxCount, "",
        "An optimization on the way stops after so many iterations."},
   };

@@ -10,6 +10,7 @@
 
 #include "core/graph/spa_cost.h"
 #include "core/simulation/random.h"
+#include "tests/support/ceres_graph.h"
 #include "tests/support/pose_matchers.h"
 
 namespace loopscope {
@@ -156,6 +157,40 @@ TEST(SolveGraph, YieldsToAFalseConstraintThatIsNoLoop) {
   options.huber_scale = 1.0;
   EXPECT_THAT(SolveGraph(problem, options, 200).global_from_node[10],
               Not(PoseNear(graph.global_from_node[10], 0.2, 0.05)));
+}
+
+/// As MakeProblem, but as disturbed as a robot has it: noise on all that is known, loops that are
+/// false, and nodes without terms to nodes, if `with_consecutive` is not set.
+GraphProblem MakeNoisyProblem(int seed, bool with_consecutive) {
+  const TrueGraph graph = MakeTrueGraph();
+  GraphProblem problem = MakeProblem(graph);
+  Random random(seed);
+  for (Constraint& c : problem.constraints) {
+    c.submap_from_node = c.submap_from_node * Pose2(random.Gaussian(0.02),
+                                                    random.Gaussian(0.02),
+                                                    random.Gaussian(0.01));
+  }
+  problem.constraints.push_back(Outlier(graph, Constraint::Tag::kInterSubmap));
+  if (!with_consecutive) problem.consecutive_nodes.clear();
+  return problem;
+}
+
+TEST(SolveGraph, ReachesTheCostThatCeresReaches) {
+  OptimizationProblemOptions options;
+  options.huber_scale = 20.0;
+  for (int seed = 0; seed < 10; ++seed) {
+    for (const bool with_consecutive : {true, false}) {
+      SCOPED_TRACE(seed);
+      const GraphProblem problem = MakeNoisyProblem(seed, with_consecutive);
+      const GraphSolution ours = SolveGraph(problem, options, 200);
+      const GraphSolution theirs = SolveGraphWithCeres(problem, options, 200);
+      EXPECT_NEAR(ours.initial_cost, theirs.initial_cost, 1e-9 * theirs.initial_cost);
+      EXPECT_NEAR(ours.final_cost, theirs.final_cost, 1e-5 * theirs.final_cost);
+      for (std::size_t i = 0; i < problem.global_from_node.size(); ++i) {
+        EXPECT_THAT(ours.global_from_node[i], PoseNear(theirs.global_from_node[i], 2e-3, 2e-3));
+      }
+    }
+  }
 }
 
 /// The residuals of a problem without Huber loss at poses moved by `delta`: three numbers for each

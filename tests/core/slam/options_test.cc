@@ -76,7 +76,6 @@ const std::map<std::string, bool> kStockFlags = {
     {"TRAJECTORY_BUILDER_2D.submaps.range_data_inserter.probability_grid_range_data_inserter."
      "insert_free_space",
      true},
-    {"POSE_GRAPH.optimization_problem.ceres_solver_options.use_nonmonotonic_steps", false},
 };
 
 // Not in Cartographer, or in its ROS files only: must do nothing that Cartographer would not.

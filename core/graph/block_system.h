@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <Eigen/SparseCholesky>
+
+namespace loopscope {
+
+/// A symmetric, positive definite system of linear equations, of 3 x 3 blocks, few of which are not
+/// zero. Unknowns that are coupled with no other of their kind ("leaves") are eliminated one by one
+/// (Schur complement); what remains is small, and is factorized by a sparse Cholesky whose order is
+/// chosen once.
+class BlockSystem {
+ public:
+  /// Two unknowns with a block of their own off the diagonal: row > column.
+  struct Coupling {
+    int row = 0;
+    int column = 0;
+  };
+
+  /// `couplings` are all different. Unknowns from `first_leaf` on are leaves if they are coupled
+  /// with unknowns below `first_leaf` only.
+  BlockSystem(int num_unknowns, std::vector<Coupling> couplings, int first_leaf);
+
+  void SetZero();
+  Eigen::Matrix3d& diagonal(int unknown) { return diagonal_[unknown]; }
+  /// The block of a coupling, by its index.
+  Eigen::Matrix3d& coupling(int index) { return blocks_[index]; }
+
+  /// Factorizes the matrix with `damping` added to its diagonal, three numbers for each unknown.
+  /// Whether it is positive definite.
+  bool Factorize(const Eigen::VectorXd& damping);
+
+  /// The solution for the right-hand side `right`, three numbers for each unknown. Factorize must
+  /// have succeeded.
+  Eigen::VectorXd Solve(const Eigen::VectorXd& right) const;
+
+ private:
+  struct Leaf {
+    int unknown = 0;
+    std::vector<int> couplings;   ///< of its row, by column
+    std::vector<int> complement;  ///< its blocks in the reduced matrix, for each pair of couplings
+    Eigen::Matrix3d inverse;      ///< of its damped diagonal block
+  };
+
+  void FindLeaves(int first_leaf);
+  void LayOutReduced();
+  int ReducedBlock(int row, int column);
+  bool EliminateLeaves(const Eigen::VectorXd& damping);
+
+  std::vector<Coupling> couplings_;
+  std::vector<Eigen::Matrix3d> diagonal_;
+  std::vector<Eigen::Matrix3d> blocks_;
+  std::vector<Leaf> leaves_;
+  std::vector<int> kept_;        ///< unknowns that are no leaves
+  std::vector<int> reduced_of_;  ///< place of an unknown in kept_, -1 for leaves
+
+  // The reduced matrix, lower half: blocks on the diagonal, those of couplings between kept
+  // unknowns, and those that leaves leave behind.
+  std::vector<Coupling> reduced_couplings_;  ///< row >= column, places in kept_
+  std::vector<std::vector<std::pair<int, int>>> reduced_rows_;  ///< of a column: row, block
+  std::vector<int> kept_couplings_;       ///< couplings between kept unknowns
+  std::vector<int> kept_coupling_block_;  ///< and their blocks
+  std::vector<Eigen::Matrix3d> reduced_blocks_;
+  std::vector<int> value_of_;  ///< 9 for each block: where its entries stand in reduced_; -1: upper
+  Eigen::SparseMatrix<double> reduced_;
+  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> cholesky_;
+};
+
+}  // namespace loopscope
