@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/matching/bicubic_grid.h"
 
-#include <cmath>
+#include <cstddef>
 
 namespace loopscope {
 namespace {
@@ -21,10 +21,21 @@ Eigen::Array4d CubicWeightDerivatives(double t) {
                               1.0 + 8.0 * t - 9.0 * t2, -2.0 * t + 3.0 * t2);
 }
 
-/// Probabilities of the cells x ... x + 3 of row y.
+/// The values of the cells x ... x + 3 of row y, less one: 0 is kMinProbability, also where unknown.
 Eigen::Array4d RowOfFour(const ProbabilityGrid& grid, int x, int y) {
-  return {grid.probability({x, y}), grid.probability({x + 1, y}), grid.probability({x + 2, y}),
-          grid.probability({x + 3, y})};
+  const auto value = [&](int i) {
+    const CellValue v = grid.value({x + i, y});
+    return static_cast<double>(v - (v == kUnknown ? 0 : 1));
+  };
+  return {value(0), value(1), value(2), value(3)};
+}
+
+/// Likewise, of four cells that the grid holds.
+Eigen::Array4d RowOfFour(const CellValue* cells) {
+  const auto value = [&](int i) {
+    return static_cast<double>(cells[i] - (cells[i] == kUnknown ? 0 : 1));
+  };
+  return {value(0), value(1), value(2), value(3)};
 }
 
 }  // namespace
@@ -32,22 +43,29 @@ Eigen::Array4d RowOfFour(const ProbabilityGrid& grid, int x, int y) {
 SmoothValue BicubicGrid::At(const Eigen::Vector2d& point) const {
   const double u = point.x() / grid_.resolution();
   const double v = point.y() / grid_.resolution();
-  const int x = static_cast<int>(std::floor(u));
-  const int y = static_cast<int>(std::floor(v));
+  const int x = FloorToInt(u);
+  const int y = FloorToInt(v);
+  const CellBox& box = grid_.box();
+  const CellIndex low{x - 1, y - 1};
+  const bool inside = box.Contains(low) && box.Contains({x + 2, y + 2});
+  const CellValue* cells = inside ? grid_.cells().data() + box.FlatIndex(low) : nullptr;
   const Eigen::Array4d weights_x = CubicWeights(u - x);
   const Eigen::Array4d slopes_x = CubicWeightDerivatives(u - x);
   Eigen::Array4d values;
   Eigen::Array4d slopes;
   for (int i = 0; i < 4; ++i) {
-    const Eigen::Array4d row = RowOfFour(grid_, x - 1, y - 1 + i);
+    const Eigen::Array4d row =
+        inside ? RowOfFour(cells + static_cast<std::ptrdiff_t>(i) * box.width)
+               : RowOfFour(grid_, low.x, low.y + i);
     values[i] = (row * weights_x).sum();
     slopes[i] = (row * slopes_x).sum();
   }
   const Eigen::Array4d weights_y = CubicWeights(v - y);
   const Eigen::Array4d slopes_y = CubicWeightDerivatives(v - y);
-  return {
-      (values * weights_y).sum(),
-      Eigen::Vector2d((slopes * weights_y).sum(), (values * slopes_y).sum()) / grid_.resolution()};
+  constexpr double kScale = (kMaxProbability - kMinProbability) / (kMaxCellValue - 1);
+  return {kMinProbability + kScale * (values * weights_y).sum(),
+          kScale / grid_.resolution() *
+              Eigen::Vector2d((slopes * weights_y).sum(), (values * slopes_y).sum())};
 }
 
 }  // namespace loopscope

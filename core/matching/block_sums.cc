@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/grid/probability_grid.h"
 #include "core/matching/precomputed_grids.h"
 
 // Highway compiles the functions between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE once for each
@@ -93,6 +94,34 @@ void SumBlocksHere(const PrecomputedGrid& grid, const CellIndex* cells, std::siz
   }
 }
 
+/// Adds the values, less one, of the row of `num_shifts` cells that begins at each of `starts`.
+void SumRowsHere(const CellValue* const* starts, std::size_t num_starts, std::size_t num_shifts,
+                 std::uint32_t* sums) {
+  std::size_t done = 0;
+#if HWY_TARGET != HWY_SCALAR
+  constexpr std::size_t kNumLanes = 4;
+  const hn::FixedTag<CellValue, kNumLanes> values;
+  const hn::FixedTag<std::uint32_t, kNumLanes> wide;
+  const auto one = hn::Set(values, 1);
+  for (; done + kNumLanes <= num_shifts; done += kNumLanes) {
+    auto sum = hn::Zero(wide);
+    for (std::size_t i = 0; i < num_starts; ++i) {
+      const auto value = hn::LoadU(values, starts[i] + done);
+      sum = hn::Add(sum, hn::PromoteTo(wide, hn::SaturatedSub(value, one)));
+    }
+    hn::StoreU(sum, wide, sums + done);
+  }
+#endif
+  for (; done < num_shifts; ++done) {
+    std::uint32_t sum = 0;
+    for (std::size_t i = 0; i < num_starts; ++i) {
+      const CellValue value = starts[i][done];
+      sum += value - (value == kUnknown ? 0 : 1);
+    }
+    sums[done] = sum;
+  }
+}
+
 void MaximaOfShiftedHere(std::uint8_t* values, std::size_t shift, std::size_t count) {
   const hn::ScalableTag<std::uint8_t> bytes;
   const std::size_t num_lanes = hn::Lanes(bytes);
@@ -111,6 +140,7 @@ HWY_AFTER_NAMESPACE();
 namespace loopscope {
 
 HWY_EXPORT(SumBlocksHere);
+HWY_EXPORT(SumRowsHere);
 HWY_EXPORT(MaximaOfShiftedHere);
 
 BlockSums SumBlocks(const PrecomputedGrid& grid, const std::vector<CellIndex>& cells,
@@ -118,6 +148,33 @@ BlockSums SumBlocks(const PrecomputedGrid& grid, const std::vector<CellIndex>& c
   BlockSums totals{};
   HWY_DYNAMIC_DISPATCH(SumBlocksHere)(grid, cells.data(), cells.size(), offset, &totals);
   return totals;
+}
+
+std::vector<std::uint32_t> SumShifted(const ProbabilityGrid& grid,
+                                      const std::vector<CellIndex>& cells, int radius) {
+  const int side = 2 * radius + 1;
+  const CellBox& box = grid.box();
+  std::vector<std::uint32_t> sums(static_cast<std::size_t>(side) * side, 0);
+  std::vector<const CellValue*> starts;  // of points whose whole window is known
+  starts.reserve(cells.size());
+  for (const CellIndex cell : cells) {
+    const CellIndex low{cell.x - radius, cell.y - radius};
+    if (box.Contains(low) && box.Contains({cell.x + radius, cell.y + radius})) {
+      starts.push_back(grid.cells().data() + box.FlatIndex(low));
+      continue;
+    }
+    for (int k = 0; k < side * side; ++k) {
+      const CellValue value = grid.value({low.x + k % side, low.y + k / side});
+      sums[k] += value - (value == kUnknown ? 0 : 1);
+    }
+  }
+  std::vector<std::uint32_t> row(side);
+  for (int y = 0; y < side; ++y) {
+    HWY_DYNAMIC_DISPATCH(SumRowsHere)(starts.data(), starts.size(), row.size(), row.data());
+    for (int x = 0; x < side; ++x) sums[y * side + x] += row[x];
+    for (const CellValue*& start : starts) start += box.width;
+  }
+  return sums;
 }
 
 void MaximaOfShifted(std::uint8_t* values, std::size_t shift, std::size_t count) {

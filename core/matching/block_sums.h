@@ -12,8 +12,9 @@
 namespace loopscope {
 
 class PrecomputedGrid;
+class ProbabilityGrid;
 
-// The inner loops of the branch and bound, for whatever vectors the processor has. They compute
+// The inner loops of the searches, for whatever vectors the processor has. They compute
 // with integers only, and so give the same on all processors.
 
 /// Blocks of a square of the search tree, row-major, lowest y first.
@@ -25,6 +26,11 @@ using BlockSums = std::array<std::int32_t, kBlocksPerSide * kBlocksPerSide>;
 /// stride * (i, j).
 BlockSums SumBlocks(const PrecomputedGrid& grid, const std::vector<CellIndex>& cells,
                     CellIndex offset);
+
+/// The sums of cell values at all shifts of a square window, |x|, |y| <= `radius` cells, row-major,
+/// lowest y first; each value less one, as that is the least probability (also where unknown).
+std::vector<std::uint32_t> SumShifted(const ProbabilityGrid& grid,
+                                      const std::vector<CellIndex>& cells, int radius);
 
 /// values[i] = max(values[i], values[i + shift]) for i = 0 ... count - 1, in this order.
 void MaximaOfShifted(std::uint8_t* values, std::size_t shift, std::size_t count);

@@ -5,17 +5,16 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/matching/block_sums.h"
 #include "core/matching/search_lattice.h"
 
 namespace loopscope {
 namespace {
 
-double MeanProbability(const std::vector<CellIndex>& cells, CellIndex offset,
-                       const ProbabilityGrid& grid) {
-  double sum = 0.0;
-  for (const CellIndex cell : cells)
-    sum += grid.probability({cell.x + offset.x, cell.y + offset.y});
-  return sum / static_cast<double>(cells.size());
+/// Of so many values, each less one.
+double MeanProbability(std::uint32_t sum, std::size_t num_values) {
+  return kMinProbability + sum * ((kMaxProbability - kMinProbability) / (kMaxCellValue - 1)) /
+                               static_cast<double>(num_values);
 }
 
 double DeltaPenalty(double distance, double angle, const CorrelativeScanMatcherOptions& options) {
@@ -33,16 +32,19 @@ CorrelativeMatch MatchCorrelative(const PointCloud& points_in_scan, const Probab
   const SearchWindow window =
       MakeSearchWindow(points_in_scan, submap_from_scan_guess, options.linear_search_window,
                        options.angular_search_window, grid.resolution());
+  const int radius = window.num_linear_steps;
+  const int side = 2 * radius + 1;
   CorrelativeMatch best{submap_from_scan_guess, 0.0};
   for (int angle = -window.num_angular_steps; angle <= window.num_angular_steps; ++angle) {
     const std::vector<CellIndex> cells = CellsAtAngle(window, points_in_scan, angle);
-    for (int y = -window.num_linear_steps; y <= window.num_linear_steps; ++y) {
-      for (int x = -window.num_linear_steps; x <= window.num_linear_steps; ++x) {
-        const double penalty = DeltaPenalty(std::hypot(x, y) * window.resolution,
-                                            std::abs(angle) * window.angular_step, options);
-        const double score = MeanProbability(cells, {x, y}, grid) * penalty;
-        if (score > best.score) best = {PoseInWindow(window, {x, y}, angle), score};
-      }
+    const std::vector<std::uint32_t> sums = SumShifted(grid, cells, radius);
+    for (int k = 0; k < side * side; ++k) {
+      const double mean = MeanProbability(sums[k], cells.size());
+      if (mean <= best.score) continue;  // before any penalty
+      const CellIndex offset{k % side - radius, k / side - radius};
+      const double penalty = DeltaPenalty(std::hypot(offset.x, offset.y) * window.resolution,
+                                          std::abs(angle) * window.angular_step, options);
+      if (mean * penalty > best.score) best = {PoseInWindow(window, offset, angle), mean * penalty};
     }
   }
   return best;
