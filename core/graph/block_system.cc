@@ -18,12 +18,15 @@ BlockSystem::BlockSystem(int num_unknowns, std::vector<Coupling> couplings, int 
 
 void BlockSystem::FindLeaves(int first_leaf) {
   const int num_unknowns = static_cast<int>(diagonal_.size());
-  std::vector<bool> is_leaf(num_unknowns, false);
-  for (int i = first_leaf; i < num_unknowns; ++i) is_leaf[i] = true;
+  std::vector<std::vector<int>> neighbors(num_unknowns);
   for (const Coupling& c : couplings_) {
-    if (c.column < first_leaf) continue;
-    is_leaf[c.row] = false;
-    is_leaf[c.column] = false;
+    neighbors[c.row].push_back(c.column);
+    neighbors[c.column].push_back(c.row);
+  }
+  std::vector<bool> is_leaf(num_unknowns, false);
+  for (int i = first_leaf; i < num_unknowns; ++i) {
+    is_leaf[i] = std::none_of(neighbors[i].begin(), neighbors[i].end(),
+                              [&](int neighbor) { return is_leaf[neighbor]; });
   }
   std::vector<int> leaf_of(num_unknowns, -1);
   for (int i = 0; i < num_unknowns; ++i) {
@@ -36,16 +39,18 @@ void BlockSystem::FindLeaves(int first_leaf) {
     }
   }
   for (int i = 0; i < static_cast<int>(couplings_.size()); ++i) {
-    const int leaf = leaf_of[couplings_[i].row];
-    if (leaf >= 0) {
-      leaves_[leaf].couplings.push_back(i);
+    const auto [row, column] = couplings_[i];
+    if (is_leaf[row]) {
+      leaves_[leaf_of[row]].couplings.push_back({i, column, false});
+    } else if (is_leaf[column]) {
+      leaves_[leaf_of[column]].couplings.push_back({i, row, true});
     } else {
       kept_couplings_.push_back(i);
     }
   }
   for (Leaf& leaf : leaves_) {
     std::sort(leaf.couplings.begin(), leaf.couplings.end(),
-              [&](int a, int b) { return couplings_[a].column < couplings_[b].column; });
+              [](const LeafCoupling& a, const LeafCoupling& b) { return a.to < b.to; });
   }
 }
 
@@ -60,8 +65,8 @@ void BlockSystem::LayOutReduced() {
   for (Leaf& leaf : leaves_) {
     for (std::size_t b = 0; b < leaf.couplings.size(); ++b) {
       for (std::size_t a = 0; a <= b; ++a) {
-        leaf.complement.push_back(ReducedBlock(reduced_of_[couplings_[leaf.couplings[b]].column],
-                                               reduced_of_[couplings_[leaf.couplings[a]].column]));
+        leaf.complement.push_back(ReducedBlock(reduced_of_[leaf.couplings[b].to],
+                                               reduced_of_[leaf.couplings[a].to]));
       }
     }
   }
@@ -125,13 +130,18 @@ bool BlockSystem::EliminateLeaves(const Eigen::VectorXd& damping) {
     if (!invertible || !leaf.inverse.allFinite()) return false;
     auto complement = leaf.complement.begin();
     for (std::size_t b = 0; b < leaf.couplings.size(); ++b) {
-      const Eigen::Matrix3d left = blocks_[leaf.couplings[b]].transpose() * leaf.inverse;
+      const Eigen::Matrix3d left = RowOf(leaf.couplings[b]).transpose() * leaf.inverse;
       for (std::size_t a = 0; a <= b; ++a) {
-        reduced_blocks_[*complement++].noalias() -= left * blocks_[leaf.couplings[a]];
+        reduced_blocks_[*complement++].noalias() -= left * RowOf(leaf.couplings[a]);
       }
     }
   }
   return true;
+}
+
+Eigen::Matrix3d BlockSystem::RowOf(const LeafCoupling& coupling) const {
+  const Eigen::Matrix3d& block = blocks_[coupling.index];
+  return coupling.transposed ? Eigen::Matrix3d(block.transpose()) : block;
 }
 
 Eigen::VectorXd BlockSystem::Solve(const Eigen::VectorXd& right) const {
@@ -141,8 +151,8 @@ Eigen::VectorXd BlockSystem::Solve(const Eigen::VectorXd& right) const {
   }
   for (const Leaf& leaf : leaves_) {
     const Eigen::Vector3d own = leaf.inverse * right.segment<3>(3 * leaf.unknown);
-    for (const int i : leaf.couplings) {
-      reduced.segment<3>(3 * reduced_of_[couplings_[i].column]) -= blocks_[i].transpose() * own;
+    for (const LeafCoupling& c : leaf.couplings) {
+      reduced.segment<3>(3 * reduced_of_[c.to]) -= RowOf(c).transpose() * own;
     }
   }
   reduced = cholesky_.solve(reduced).eval();
@@ -152,12 +162,25 @@ Eigen::VectorXd BlockSystem::Solve(const Eigen::VectorXd& right) const {
   }
   for (const Leaf& leaf : leaves_) {
     Eigen::Vector3d own = right.segment<3>(3 * leaf.unknown);
-    for (const int i : leaf.couplings) {
-      own -= blocks_[i] * reduced.segment<3>(3 * reduced_of_[couplings_[i].column]);
+    for (const LeafCoupling& c : leaf.couplings) {
+      own -= RowOf(c) * reduced.segment<3>(3 * reduced_of_[c.to]);
     }
     solution.segment<3>(3 * leaf.unknown) = leaf.inverse * own;
   }
   return solution;
+}
+
+Eigen::VectorXd BlockSystem::Multiply(const Eigen::VectorXd& vector) const {
+  Eigen::VectorXd product(vector.size());
+  for (std::size_t i = 0; i < diagonal_.size(); ++i) {
+    product.segment<3>(3 * i) = diagonal_[i] * vector.segment<3>(3 * i);
+  }
+  for (std::size_t i = 0; i < couplings_.size(); ++i) {
+    const auto [row, column] = couplings_[i];
+    product.segment<3>(3 * row) += blocks_[i] * vector.segment<3>(3 * column);
+    product.segment<3>(3 * column) += blocks_[i].transpose() * vector.segment<3>(3 * row);
+  }
+  return product;
 }
 
 }  // namespace loopscope

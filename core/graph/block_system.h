@@ -11,9 +11,8 @@
 namespace loopscope {
 
 /// A symmetric, positive definite system of linear equations, of 3 x 3 blocks, few of which are not
-/// zero. Unknowns that are coupled with no other of their kind ("leaves") are eliminated one by one
-/// (Schur complement); what remains is small, and is factorized by a sparse Cholesky whose order is
-/// chosen once.
+/// zero. Unknowns of which no two are coupled ("leaves") are eliminated one by one (Schur complement);
+/// what remains is factorized by a sparse Cholesky whose order is chosen once.
 class BlockSystem {
  public:
   /// Two unknowns with a block of their own off the diagonal: row > column.
@@ -22,8 +21,8 @@ class BlockSystem {
     int column = 0;
   };
 
-  /// `couplings` are all different. Unknowns from `first_leaf` on are leaves if they are coupled
-  /// with unknowns below `first_leaf` only.
+  /// `couplings` are all different. Of the unknowns from `first_leaf` on, those become leaves that
+  /// are coupled with no leaf before them.
   BlockSystem(int num_unknowns, std::vector<Coupling> couplings, int first_leaf);
 
   void SetZero();
@@ -39,17 +38,27 @@ class BlockSystem {
   /// have succeeded.
   Eigen::VectorXd Solve(const Eigen::VectorXd& right) const;
 
+  /// The matrix, without damping, times `vector`.
+  Eigen::VectorXd Multiply(const Eigen::VectorXd& vector) const;
+
  private:
+  struct LeafCoupling {
+    int index = 0;            ///< into couplings_
+    int to = 0;               ///< the unknown at its other end
+    bool transposed = false;  ///< the leaf is its column
+  };
   struct Leaf {
     int unknown = 0;
-    std::vector<int> couplings;   ///< of its row, by column
+    std::vector<LeafCoupling> couplings;  ///< by the unknown at the other end
     std::vector<int> complement;  ///< its blocks in the reduced matrix, for each pair of couplings
-    Eigen::Matrix3d inverse;      ///< of its damped diagonal block
+    Eigen::Matrix3d inverse;              ///< of its damped diagonal block
   };
 
   void FindLeaves(int first_leaf);
   void LayOutReduced();
   int ReducedBlock(int row, int column);
+  /// The block in the row of the leaf.
+  Eigen::Matrix3d RowOf(const LeafCoupling& coupling) const;
   bool EliminateLeaves(const Eigen::VectorXd& damping);
 
   std::vector<Coupling> couplings_;

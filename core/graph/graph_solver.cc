@@ -227,16 +227,19 @@ std::optional<Trial> TryStep(LeastSquares* least_squares, const Poses& poses, do
   return trial;
 }
 
-/// The inverse of H at the block of `unknown`.
+/// The inverse of H at the block of `unknown`; nothing if H is singular but for rounding.
 std::optional<Eigen::Matrix3d> CovarianceOf(const GraphProblem& problem, int unknown,
                                             LeastSquares* least_squares) {
+  constexpr double kMaxResidual = 1e-3;
   least_squares->Linearize(least_squares->Start(problem));
-  const Eigen::VectorXd none = Eigen::VectorXd::Zero(least_squares->gradient().size());
-  if (!least_squares->system().Factorize(none)) return std::nullopt;
+  BlockSystem& system = least_squares->system();
+  const Eigen::Index size = least_squares->gradient().size();
+  if (!system.Factorize(Eigen::VectorXd::Zero(size))) return std::nullopt;
   Eigen::Matrix3d covariance;
   for (int i = 0; i < 3; ++i) {
-    const Eigen::VectorXd column =
-        least_squares->system().Solve(Eigen::VectorXd::Unit(none.size(), 3 * unknown + i));
+    const Eigen::VectorXd unit = Eigen::VectorXd::Unit(size, 3 * unknown + i);
+    const Eigen::VectorXd column = system.Solve(unit);
+    if (!((system.Multiply(column) - unit).norm() < kMaxResidual)) return std::nullopt;
     covariance.col(i) = column.segment<3>(3 * unknown);
   }
   return covariance;

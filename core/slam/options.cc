@@ -32,12 +32,9 @@ Options LoopscopePreset() {
   loops.max_linear_search_window = 20.0;
   loops.ambiguity.max_relative_score = 0.9;
   loops.consistency.min_num_supporters = 2;
-  // As in the paper, nodes are held by their submaps alone: they hold them as loops do.
-  graph.matcher_translation_weight = 1e4;
-  graph.matcher_rotation_weight = 1e5;
   graph.optimization_problem.huber_scale = 1e2;
-  graph.optimization_problem.local_slam_pose_translation_weight = 0.0;
-  graph.optimization_problem.local_slam_pose_rotation_weight = 0.0;
+  graph.optimization_problem.local_slam_pose_translation_weight = 1e4;
+  graph.optimization_problem.local_slam_pose_rotation_weight = 1e4;
   graph.optimization_problem.odometry_translation_weight = 0.0;
   graph.optimization_problem.odometry_rotation_weight = 0.0;
   return options;

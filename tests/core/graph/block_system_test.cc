@@ -64,6 +64,12 @@ TEST(BlockSystem, HasTheSolutionOfTheDenseSystem) {
   }
 }
 
+TEST(BlockSystem, MultipliesAsTheDenseSystem) {
+  const Systems systems = MakeSystems(3);
+  const Eigen::VectorXd vector = Eigen::VectorXd::LinSpaced(systems.dense.rows(), -1.0, 2.0);
+  EXPECT_LT((systems.blocks->Multiply(vector) - systems.dense * vector).norm(), 1e-10);
+}
+
 TEST(BlockSystem, TellsWhenItIsNotPositiveDefinite) {
   Systems systems = MakeSystems(1);
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(systems.dense.rows());
