@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/graph/loop_consistency.h"
 
+#include <algorithm>
 #include <cmath>
-#include <set>
+#include <limits>
+#include <map>
 
 namespace loopscope {
 
@@ -19,11 +21,42 @@ bool Agree(const LoopDrift& a, const LoopDrift& b, const LoopConsistencyOptions&
 
 int NumSupporters(const LoopDrift& loop, const std::vector<LoopDrift>& others,
                   const LoopConsistencyOptions& options) {
-  std::set<int> nodes;
+  std::map<int, double> way_of_node;
   for (const LoopDrift& other : others) {
-    if (other.node != loop.node && Agree(loop, other, options)) nodes.insert(other.node.index);
+    if (other.node == loop.node || !Agree(loop, other, options)) continue;
+    way_of_node.emplace(other.node.index, other.node_way);
   }
-  return static_cast<int>(nodes.size());
+  int num_supporters = 0;
+  double last_way = -std::numeric_limits<double>::infinity();
+  for (const auto& [node, way] : way_of_node) {
+    if (std::abs(way - loop.node_way) < options.min_way || way - last_way < options.min_way) continue;
+    last_way = way;
+    ++num_supporters;
+  }
+  return num_supporters;
+}
+
+std::vector<NodeId> NeighborsToCheck(NodeId node, const std::vector<NodeId>& left_out,
+                                     const std::vector<double>& node_ways,
+                                     const LoopConsistencyOptions& options) {
+  const auto way_between = [&](NodeId a, NodeId b) {
+    return std::abs(node_ways[a.index] - node_ways[b.index]);
+  };
+  std::vector<NodeId> nearest_first = left_out;
+  std::stable_sort(nearest_first.begin(), nearest_first.end(), [&](NodeId a, NodeId b) {
+    return way_between(a, node) < way_between(b, node);
+  });
+  std::vector<NodeId> chosen;
+  for (const NodeId neighbor : nearest_first) {
+    if (static_cast<int>(chosen.size()) >= options.num_checked_neighbors) break;
+    if (way_between(neighbor, node) > options.max_way) break;
+    const auto is_too_near = [&](NodeId other) {
+      return way_between(neighbor, other) < options.min_way;
+    };
+    if (is_too_near(node) || std::any_of(chosen.begin(), chosen.end(), is_too_near)) continue;
+    chosen.push_back(neighbor);
+  }
+  return chosen;
 }
 
 }  // namespace loopscope

@@ -27,7 +27,7 @@ double RivalScore(const LoopCandidate& found, const PointCloud& points_in_node,
 
 struct LoopSearch::SearchedSubmap {
   ProbabilityGrid grid;
-  int num_considered = 0;
+  double num_considered = 0.0;  ///< pairs with a wide window count less
   int num_sampled = 0;
 };
 
@@ -73,24 +73,29 @@ LoopSearch::LoopSearch(const ConstraintBuilderOptions& options, int num_threads)
 LoopSearch::~LoopSearch() = default;
 
 void LoopSearch::AddSubmap(SubmapId id, ProbabilityGrid grid) {
-  submaps_.emplace(id, std::make_unique<SearchedSubmap>(SearchedSubmap{std::move(grid), 0, 0}));
+  submaps_.emplace(id, std::make_unique<SearchedSubmap>(SearchedSubmap{std::move(grid), 0.0, 0}));
 }
 
 void LoopSearch::Consider(const LoopCandidate& candidate,
                           std::shared_ptr<const PointCloud> points_in_node) {
-  SearchedSubmap* const submap = submaps_.at(candidate.submap).get();
   pending_.push_back(std::make_unique<LoopCandidate>());
   LoopCandidate* const result = pending_.back().get();
-  if (!Sample(submap)) {
+  if (!Sample(candidate.linear_search_window, submaps_.at(candidate.submap).get())) {
     result->submap = candidate.submap;
     result->node = candidate.node;
     result->considered_step = candidate.considered_step;
     return;
   }
   *result = candidate;
-  pool_.Add([this, submap, result, points = std::move(points_in_node)] {
-    *result = SearchLoop(*result, *points, submap->grid,
-                         *matchers_.Get(result->submap, submap->grid), options_);
+  Search(result, std::move(points_in_node));
+}
+
+void LoopSearch::Search(LoopCandidate* candidate,
+                        std::shared_ptr<const PointCloud> points_in_node) {
+  const SearchedSubmap* const submap = submaps_.at(candidate->submap).get();
+  pool_.Add([this, submap, candidate, points = std::move(points_in_node)] {
+    *candidate = SearchLoop(*candidate, *points, submap->grid,
+                            *matchers_.Get(candidate->submap, submap->grid), options_);
   });
 }
 
@@ -106,8 +111,10 @@ std::vector<LoopCandidate> LoopSearch::Collect() {
   return candidates;
 }
 
-bool LoopSearch::Sample(SearchedSubmap* submap) const {
-  ++submap->num_considered;
+bool LoopSearch::Sample(double linear_search_window, SearchedSubmap* submap) const {
+  const double full = options_.full_sampling_search_window;
+  const bool is_wide = full > 0.0 && linear_search_window > full;
+  submap->num_considered += is_wide ? full / linear_search_window : 1.0;
   if (submap->num_sampled >= options_.sampling_ratio * submap->num_considered) return false;
   ++submap->num_sampled;
   return true;

@@ -38,14 +38,19 @@ class LoopSearch {
   /// Searches the pair of `candidate`, or leaves it if it is not its turn by sampling_ratio.
   void Consider(const LoopCandidate& candidate, std::shared_ptr<const PointCloud> points_in_node);
 
+  /// Searches the pair of `candidate` in any case. Its address must last until Wait.
+  void Search(LoopCandidate* candidate, std::shared_ptr<const PointCloud> points_in_node);
+  void Wait() { pool_.Wait(); }
+
   /// Waits for the searches; the candidates considered since the last call, by submap and node.
   std::vector<LoopCandidate> Collect();
 
  private:
   struct SearchedSubmap;
 
-  /// Whether it is the turn of a pair with `submap`: a share sampling_ratio of the calls says so.
-  bool Sample(SearchedSubmap* submap) const;
+  /// Whether it is the turn of a pair with `submap`: a share sampling_ratio of the calls says so,
+  /// or less if `linear_search_window` [m] is wide.
+  bool Sample(double linear_search_window, SearchedSubmap* submap) const;
 
   ConstraintBuilderOptions options_;
   std::map<SubmapId, std::unique_ptr<SearchedSubmap>> submaps_;

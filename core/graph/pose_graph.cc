@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/graph/pose_graph.h"
 
+#include <map>
 #include <utility>
 
 #include "core/graph/loop_gate.h"
@@ -113,6 +114,7 @@ bool PoseGraph::OptimizationIsDue() const {
 
 std::vector<LoopCandidate> PoseGraph::CollectLoops(int step) {
   std::vector<LoopCandidate> candidates = loop_search_.Collect();
+  CheckLoneLoops(&candidates);
   RejectInconsistent(&candidates);
   for (LoopCandidate& candidate : candidates) {
     candidate.applied_step = step;
@@ -124,13 +126,57 @@ std::vector<LoopCandidate> PoseGraph::CollectLoops(int step) {
   return candidates;
 }
 
+std::vector<LoopDrift> PoseGraph::DriftsWith(const std::vector<LoopCandidate>& candidates) const {
+  std::vector<LoopDrift> drifts = loop_drifts_;
+  for (const LoopCandidate& candidate : candidates) {
+    if (candidate.verdict == Verdict::kAccepted) drifts.push_back(DriftOf(candidate));
+  }
+  return drifts;
+}
+
+void PoseGraph::CheckLoneLoops(std::vector<LoopCandidate>* candidates) {
+  const LoopConsistencyOptions& options = options_.constraint_builder.consistency;
+  if (options.num_checked_neighbors == 0) return;
+  const std::vector<LoopDrift> drifts = DriftsWith(*candidates);
+  std::vector<const LoopCandidate*> lone_loops;
+  std::map<SubmapId, std::map<NodeId, LoopCandidate*>> left_out;
+  for (LoopCandidate& candidate : *candidates) {
+    if (candidate.verdict == Verdict::kNotSampled) {
+      left_out[candidate.submap].emplace(candidate.node, &candidate);
+    } else if (candidate.verdict == Verdict::kAccepted &&
+               NumSupporters(DriftOf(candidate), drifts, options) < options.min_num_supporters) {
+      lone_loops.push_back(&candidate);
+    }
+  }
+  for (const LoopCandidate* loop : lone_loops) {
+    std::map<NodeId, LoopCandidate*>& pairs = left_out[loop->submap];
+    std::vector<NodeId> nodes;
+    for (const auto& [node, pair] : pairs) nodes.push_back(node);
+    for (const NodeId node : NeighborsToCheck(loop->node, nodes, node_ways_, options)) {
+      SearchWhereLoopHasIt(*loop, pairs.at(node));
+      pairs.erase(node);
+    }
+  }
+  loop_search_.Wait();
+}
+
+void PoseGraph::SearchWhereLoopHasIt(const LoopCandidate& loop, LoopCandidate* pair) {
+  const NodeData& node = nodes_[pair->node.index];
+  const BranchAndBoundOptions& least =
+      options_.constraint_builder.fast_correlative_scan_matcher;
+  pair->submap_from_node_guess = loop.submap_from_node *
+                                 nodes_[loop.node.index].local_from_node.Inverse() *
+                                 node.local_from_node;
+  pair->linear_search_window = least.linear_search_window;
+  pair->angular_search_window = least.angular_search_window;
+  pair->min_score = submaps_[loop.submap.index].min_loop_score;
+  loop_search_.Search(pair, node.points);
+}
+
 void PoseGraph::RejectInconsistent(std::vector<LoopCandidate>* candidates) const {
   const LoopConsistencyOptions& options = options_.constraint_builder.consistency;
   if (options.min_num_supporters == 0) return;
-  std::vector<LoopDrift> drifts = loop_drifts_;
-  for (const LoopCandidate& candidate : *candidates) {
-    if (candidate.verdict == Verdict::kAccepted) drifts.push_back(DriftOf(candidate));
-  }
+  const std::vector<LoopDrift> drifts = DriftsWith(*candidates);
   for (LoopCandidate& candidate : *candidates) {
     if (candidate.verdict != Verdict::kAccepted) continue;
     candidate.num_supporters = NumSupporters(DriftOf(candidate), drifts, options);

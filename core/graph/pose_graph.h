@@ -54,6 +54,11 @@ class PoseGraph {
   void AddConsecutive(NodeId id);
   double MinLoopScoreOf(SubmapId id, const ProbabilityGrid& grid) const;
   static bool LiesIn(const NodeData& node, SubmapId submap);
+  /// Searches neighbours of the loops that stand alone, where those have them.
+  void CheckLoneLoops(std::vector<LoopCandidate>* candidates);
+  void SearchWhereLoopHasIt(const LoopCandidate& loop, LoopCandidate* pair);
+  /// Of the loops found and those accepted before.
+  std::vector<LoopDrift> DriftsWith(const std::vector<LoopCandidate>& candidates) const;
   /// Turns the verdict on accepted candidates that too few others agree with.
   void RejectInconsistent(std::vector<LoopCandidate>* candidates) const;
   LoopDrift DriftOf(const LoopCandidate& candidate) const;

@@ -29,6 +29,9 @@ struct ConstraintBuilderOptions {
   double linear_search_window_per_meter = 0.0;
   double angular_search_window_per_meter = 0.0;
   double max_linear_search_window = 30.0;      ///< [m] where growth ends
+  /// [m] Pairs with a wider linear search window are sampled less, in inverse proportion to it; not
+  /// in Cartographer. 0: all alike.
+  double full_sampling_search_window = 0.0;
   double global_localization_min_score = 0.6;  ///< for searches of the whole submap
   double loop_closure_translation_weight = 1.1e4;
   double loop_closure_rotation_weight = 1e5;

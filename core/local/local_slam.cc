@@ -44,11 +44,11 @@ void LocalSlam::Match(LocalSlamResult* result) {
   if (submap == nullptr) return;
   const PointCloud points =
       AdaptiveVoxelFilter(result->range_data.returns, options_.adaptive_voxel_filter);
-  if (points.empty()) return;
+  if (points.empty() || static_cast<int>(points.size()) < options_.min_num_matched_points) return;
   const Pose2& local_from_submap = submap->local_from_submap;
   const ScanMatch match =
       MatchScan(points, submap->grid, local_from_submap.Inverse() * result->local_from_base_prior,
-                expected_score_, options_);
+                result->odom_from_base.has_value(), expected_score_, options_);
   expected_score_ += kExpectedScoreGain * (match.score - expected_score_);
   if (match.submap_from_base_correlative) {
     result->local_from_base_correlative = local_from_submap * *match.submap_from_base_correlative;

@@ -17,7 +17,7 @@ struct RecoveryOptions {
   /// Search if the mean probability at the points is below this share of what the scans before had
   /// on average; 0: never.
   double min_relative_score = 0.0;
-  double min_gain = 0.1;  ///< take what was found if its mean probability is higher by this much
+  double min_gain = 0.2;  ///< take what was found if its mean probability is higher by this much
   double linear_search_window = 1.0;                      ///< [m]
   double angular_search_window = DegreesToRadians(90.0);  ///< [rad]
 };
@@ -27,6 +27,9 @@ struct LocalSlamOptions {
   RangeOptions range;
   double voxel_filter_size = 0.025;  ///< [m]
   AdaptiveVoxelFilterOptions adaptive_voxel_filter{0.5, 200, 50.0};
+  /// A scan with fewer points stays where it is predicted; not in Cartographer. In the open a
+  /// handful of points matches anywhere.
+  int min_num_matched_points = 0;
   AdaptiveVoxelFilterOptions loop_closure_adaptive_voxel_filter{0.9, 100, 50.0};
   bool use_online_correlative_scan_matching = false;
   CorrelativeScanMatcherOptions real_time_correlative_scan_matcher;

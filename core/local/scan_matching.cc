@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/local/scan_matching.h"
 
+#include <algorithm>
+
 #include "core/matching/branch_and_bound.h"
 #include "core/matching/match_score.h"
 
@@ -50,13 +52,18 @@ std::optional<ScanMatch> Recover(const PointCloud& points_in_base, const Probabi
 }  // namespace
 
 ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& grid,
-                    const Pose2& submap_from_base_prior, double expected_score,
-                    const LocalSlamOptions& options) {
+                    const Pose2& submap_from_base_prior, bool prior_is_measured,
+                    double expected_score, const LocalSlamOptions& options) {
   const ScanMatch near = MatchNear(points_in_base, grid, submap_from_base_prior, options);
-  if (near.score >= options.recovery.min_relative_score * expected_score) return near;
-  return Recover(points_in_base, grid, submap_from_base_prior,
-                 near.score + options.recovery.min_gain, options)
-      .value_or(near);
+  const double min_score = options.recovery.min_relative_score * expected_score;
+  if (near.score >= min_score) return near;
+  const auto recovered =
+      Recover(points_in_base, grid, submap_from_base_prior,
+              std::max(near.score + options.recovery.min_gain, min_score), options);
+  if (recovered) return *recovered;
+  if (!prior_is_measured) return near;
+  return {std::nullopt, submap_from_base_prior,
+          MeanProbability(points_in_base, submap_from_base_prior, grid)};
 }
 
 }  // namespace loopscope

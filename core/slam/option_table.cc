@@ -112,6 +112,8 @@ Rows LocalSlamRows(LocalSlamOptions* o) {
   Append("adaptive_voxel_filter.", AdaptiveVoxelFilterRows(&o->adaptive_voxel_filter), &rows);
   Append("loop_closure_adaptive_voxel_filter.",
          AdaptiveVoxelFilterRows(&o->loop_closure_adaptive_voxel_filter), &rows);
+  rows.push_back({"min_num_matched_points", &o->min_num_matched_points, 0, kMaxCount, "",
+                  "A scan with fewer points stays where it is predicted."});
   rows.push_back({"use_online_correlative_scan_matching", &o->use_online_correlative_scan_matching,
                   0, 0, "", "Whether the correlative matcher runs before (CS)."});
   Append("real_time_correlative_scan_matcher.",
@@ -152,6 +154,11 @@ Rows LoopConsistencyRows(LoopConsistencyOptions* o) {
       {"max_distance", &o->max_distance, 0, kMaxLength, "m", "Loops that agree differ by no more."},
       {"max_distance_per_meter", &o->max_distance_per_meter, 0, 1, "m/m",
        "On top of it, for each metre of way between them."},
+      {"min_way", &o->min_way, 0, 1e6, "m",
+       "Loops of nodes nearer to each other, along the way, count as one."},
+      {"num_checked_neighbors", &o->num_checked_neighbors, 0, kMaxCount, "",
+       "Nodes near that of a loop without support, left out by sampling, that are searched where it "
+       "has them; 0: none."},
       {"max_angle", &o->max_angle, 0, kPi, "rad", "Loops that agree are turned by no more."},
   };
 }
@@ -172,6 +179,8 @@ Rows ConstraintBuilderRows(ConstraintBuilderOptions* o) {
        "Likewise of the angle. Not in Cartographer."},
       {"max_linear_search_window", &o->max_linear_search_window, 0, kMaxLength, "m",
        "Where the growth of the search window ends. Not in Cartographer."},
+      {"full_sampling_search_window", &o->full_sampling_search_window, 0, kMaxLength, "m",
+       "Pairs with a wider search window are sampled less, in inverse proportion; 0: all alike."},
       {"global_localization_min_score", &o->global_localization_min_score, 0, 1, "",
        "Likewise, for searches of a whole submap."},
       {"loop_closure_translation_weight", &o->loop_closure_translation_weight, 0, kMaxWeight, "1/m",

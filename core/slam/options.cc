@@ -9,10 +9,12 @@ Options CartographerPreset() { return Options(); }
 Options LoopscopePreset() {
   Options options = CartographerPreset();
   LocalSlamOptions& local = options.trajectory_builder_2d;
+  local.min_num_matched_points = 30;
   local.use_online_correlative_scan_matching = true;
   local.real_time_correlative_scan_matcher.angular_search_window = DegreesToRadians(10.0);
   // In a corridor the scan fits everywhere: stay where odometry says.
   local.real_time_correlative_scan_matcher.translation_delta_cost_weight = 10.0;
+  local.real_time_correlative_scan_matcher.rotation_delta_cost_weight = 3.0;
   local.ceres_scan_matcher.occupied_space_weight = 10.0;
   local.recovery.min_relative_score = 0.6;
   local.submaps.num_range_data = 40;
@@ -27,9 +29,12 @@ Options LoopscopePreset() {
   loops.min_relative_score = 0.75;
   loops.fast_correlative_scan_matcher.linear_search_window = 1.0;
   loops.fast_correlative_scan_matcher.angular_search_window = DegreesToRadians(5.0);
-  loops.linear_search_window_per_meter = 0.03;
-  loops.angular_search_window_per_meter = DegreesToRadians(0.04);
-  loops.max_linear_search_window = 20.0;
+  loops.linear_search_window_per_meter = 0.06;
+  loops.angular_search_window_per_meter = DegreesToRadians(0.06);
+  loops.max_linear_search_window = 40.0;
+  loops.full_sampling_search_window = 4.0;
+  loops.consistency.min_way = 0.5;
+  loops.consistency.num_checked_neighbors = 6;
   loops.ambiguity.max_relative_score = 0.9;
   loops.consistency.min_num_supporters = 2;
   graph.optimization_problem.huber_scale = 1e2;

@@ -71,5 +71,39 @@ TEST(NumSupporters, CountsNeitherTheNodeItselfNorThoseThatDisagree) {
   EXPECT_EQ(NumSupporters(loop, {loop, Loop(7, kDrift), far_off}, Options()), 0);
 }
 
+TEST(NumSupporters, CountsNodesThatAreNearToEachOtherAsOne) {
+  LoopConsistencyOptions options = Options();
+  options.min_way = 0.5;
+  const LoopDrift loop = Loop(7, kDrift, 100.0);
+  const auto count = [&](std::vector<double> ways) {
+    std::vector<LoopDrift> others;
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+      others.push_back(Loop(8 + static_cast<int>(i), kDrift, ways[i]));
+    }
+    return NumSupporters(loop, others, options);
+  };
+  EXPECT_EQ(count({100.4}), 0);  // too near to the node itself
+  EXPECT_EQ(count({100.6}), 1);
+  EXPECT_EQ(count({100.6, 101.0}), 1);
+  EXPECT_EQ(count({100.6, 101.2}), 2);
+}
+
+TEST(NeighborsToCheck, AreTheNearestThatStandApart) {
+  LoopConsistencyOptions options = Options();
+  options.min_way = 1.0;
+  options.num_checked_neighbors = 3;
+  options.max_way = 4.0;
+  const std::vector<double> ways{0.0, 3.0, 6.5, 7.2, 8.0, 8.4, 9.5, 11.5, 30.0};
+  const auto neighbors = [&](const std::vector<NodeId>& left_out) {
+    return NeighborsToCheck(NodeId{4}, left_out, ways, options);
+  };
+  // 3 and 5 are too near to node 4, 2 and 6 at 1.5 m come first, 7 at 3.5 m; 1 is farther than 4 m.
+  EXPECT_EQ(neighbors({{0}, {1}, {2}, {3}, {5}, {6}, {7}, {8}}),
+            (std::vector<NodeId>{{2}, {6}, {7}}));
+  EXPECT_EQ(neighbors({{1}, {8}}), std::vector<NodeId>{});
+  options.num_checked_neighbors = 1;
+  EXPECT_EQ(neighbors({{2}, {6}}), std::vector<NodeId>{{2}});
+}
+
 }  // namespace
 }  // namespace loopscope

@@ -145,6 +145,51 @@ TEST(PoseGraph, BelievesLoopsThatAgree) {
   EXPECT_EQ(run.graph().CollectLoops(kStep).at(0).num_supporters, 2);  // earlier ones count
 }
 
+/// One of three nodes on the way through the room is searched, by sampling.
+std::vector<LoopCandidate> LoopsOfThreeNodesWithOneSampled(int num_checked_neighbors) {
+  PoseGraphOptions options = Options();
+  options.constraint_builder.sampling_ratio = 0.3;
+  options.constraint_builder.consistency.min_num_supporters = 1;
+  options.constraint_builder.consistency.num_checked_neighbors = num_checked_neighbors;
+  ReturnToARoom run(options);
+  run.ComeTo(kFirst);
+  run.ComeTo(kSecond);
+  run.ComeTo(Pose2(2.6, 1.0, 0.6));
+  return run.graph().CollectLoops(kStep);
+}
+
+TEST(PoseGraph, SearchesNeighborsOfALoopThatStandsAlone) {
+  int num_accepted = 0;
+  for (const LoopCandidate& candidate : LoopsOfThreeNodesWithOneSampled(0)) {
+    EXPECT_NE(candidate.verdict, Verdict::kAccepted);
+  }
+  for (const LoopCandidate& candidate : LoopsOfThreeNodesWithOneSampled(2)) {
+    if (candidate.verdict != Verdict::kAccepted) continue;
+    EXPECT_GE(candidate.num_supporters, 1);
+    ++num_accepted;
+  }
+  EXPECT_EQ(num_accepted, 3);
+}
+
+TEST(PoseGraph, SamplesPairsWithAWideWindowLess) {
+  const auto num_sampled = [](double full_sampling_search_window) {
+    PoseGraphOptions options = Options();
+    options.constraint_builder.full_sampling_search_window = full_sampling_search_window;
+    ReturnToARoom run(options);
+    for (int i = 0; i < 8; ++i) run.ComeTo(kFirst);
+    int count = 0;
+    for (const LoopCandidate& candidate : run.graph().CollectLoops(kStep)) {
+      if (candidate.verdict != Verdict::kNotSampled) ++count;
+    }
+    return count;
+  };
+  const double window =
+      Options().constraint_builder.fast_correlative_scan_matcher.linear_search_window;
+  EXPECT_EQ(num_sampled(0.0), 8);
+  EXPECT_EQ(num_sampled(window), 8);
+  EXPECT_EQ(num_sampled(0.25 * window), 2);
+}
+
 TEST(PoseGraph, PullsTheMapTogetherWhereALoopIsClosed) {
   ReturnToARoom run(Options());
   run.ComeTo(kFirst);

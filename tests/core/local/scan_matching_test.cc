@@ -19,8 +19,8 @@ const Pose2 kWrongPrior = kTruth * Pose2(0.5, -0.4, DegreesToRadians(60.0));
 
 class ScanMatching : public ::testing::Test {
  protected:
-  ScanMatch Match(const Pose2& prior, double expected_score) const {
-    return MatchScan(points_, room_.grid(), prior, expected_score, options_);
+  ScanMatch Match(const Pose2& prior, double expected_score, bool prior_is_measured = false) const {
+    return MatchScan(points_, room_.grid(), prior, prior_is_measured, expected_score, options_);
   }
 
   LocalSlamOptions options_;
@@ -60,6 +60,14 @@ TEST_F(ScanMatching, StaysNearThePriorIfNothingBetterWasExpected) {
 TEST_F(ScanMatching, NeverSearchesWidelyIfThatIsOff) {
   options_.recovery.min_relative_score = 0.0;
   EXPECT_THAT(Match(kWrongPrior, 0.9).submap_from_base, Not(PoseNear(kTruth, 0.2, 0.2)));
+}
+
+TEST_F(ScanMatching, StaysAtAMeasuredPriorIfItMatchesNowhereAsExpected) {
+  options_.recovery.min_relative_score = 0.99;
+  options_.recovery.linear_search_window = 0.2;
+  options_.recovery.angular_search_window = 0.1;
+  EXPECT_EQ(Match(kWrongPrior, 0.9, true).submap_from_base, kWrongPrior);
+  EXPECT_NE(Match(kWrongPrior, 0.9, false).submap_from_base, kWrongPrior);
 }
 
 TEST_F(ScanMatching, KeepsTheNearMatchIfTheWideSearchGainsTooLittle) {

@@ -95,7 +95,7 @@ TEST(ReplayMatch, MatchesAgainToTheRecordedPoseBitForBit) {
     ASSERT_TRUE(replay);
     // With nothing expected of the score, nothing is searched for widely.
     const ScanMatch match = MatchScan(replay->points, replay->grid, replay->submap_from_base_prior,
-                                      0.0, recording.options().trajectory_builder_2d);
+                                      true, 0.0, recording.options().trajectory_builder_2d);
     const Pose2& local_from_submap = recording.submap(replay->submap).local_from_submap;
     EXPECT_EQ(local_from_submap * match.submap_from_base, recording.step(step).local_from_base);
     ASSERT_TRUE(match.submap_from_base_correlative);

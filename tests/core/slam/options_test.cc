@@ -82,11 +82,14 @@ const std::map<std::string, bool> kStockFlags = {
 const std::map<std::string, OptionValue> kOwn = {
     {"use_odometry", true},
     {"TRAJECTORY_BUILDER_2D.recovery.min_relative_score", 0.0},
+    {"TRAJECTORY_BUILDER_2D.min_num_matched_points", 0.0},
     {"POSE_GRAPH.constraint_builder.min_relative_score", 0.0},
     {"POSE_GRAPH.constraint_builder.linear_search_window_per_meter", 0.0},
     {"POSE_GRAPH.constraint_builder.angular_search_window_per_meter", 0.0},
+    {"POSE_GRAPH.constraint_builder.full_sampling_search_window", 0.0},
     {"POSE_GRAPH.constraint_builder.ambiguity.max_relative_score", 1.0},
     {"POSE_GRAPH.constraint_builder.consistency.min_num_supporters", 0.0},
+    {"POSE_GRAPH.constraint_builder.consistency.num_checked_neighbors", 0.0},
 };
 
 TEST(CartographerPreset, HasTheStockValues) {
