@@ -14,7 +14,7 @@ Options LoopscopePreset() {
   local.real_time_correlative_scan_matcher.angular_search_window = DegreesToRadians(10.0);
   // In a corridor the scan fits everywhere: stay where odometry says.
   local.real_time_correlative_scan_matcher.translation_delta_cost_weight = 10.0;
-  local.real_time_correlative_scan_matcher.rotation_delta_cost_weight = 3.0;
+  local.real_time_correlative_scan_matcher.rotation_delta_cost_weight = 4.0;
   local.ceres_scan_matcher.occupied_space_weight = 10.0;
   local.recovery.min_relative_score = 0.6;
   local.submaps.num_range_data = 40;
