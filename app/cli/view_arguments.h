@@ -16,6 +16,7 @@ struct ViewArguments {
   std::string view = "map";
   std::optional<int> node;
   std::optional<int> submap;
+  std::vector<std::string> marked;  // N:M
   SearchFilter search;
   std::vector<std::string> layers;
   std::vector<double> center;

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/studio/view_widget.h"
 
-#include <cmath>
-#include <mutex>
-
 #include <QMouseEvent>
 #include <QWheelEvent>
+#include <cmath>
+#include <mutex>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRendererCollection.h>

@@ -7,6 +7,7 @@
 
 #include "core/slam/derive.h"
 #include "render/layers/constraints.h"
+#include "render/number_text.h"
 #include "render/views/grids.h"
 #include "render/views/highlight.h"
 #include "render/views/pose_layers.h"
@@ -183,7 +184,7 @@ void DrawConstraints(const Graph& graph, double dimming, Sheet* sheet) {
 
 }  // namespace
 
-Scene BuildGraphView(GridCache* cache, const ViewRequest& request, int oversampling) {
+Scene BuildGraphView(DerivedCache* cache, const ViewRequest& request, int oversampling) {
   const Recording& recording = cache->recording();
   const Graph graph = GraphAfterStep(recording, StepOf(recording, request));
   const Palette& palette = PaletteOf(request.theme);

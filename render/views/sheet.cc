@@ -21,6 +21,10 @@ Sheet::Sheet(const ViewRequest& request, int oversampling, Annotation annotation
 
 Annotation Sheet::Complete(Annotation annotation, const LayerKeys& keys) const {
   if (!request_.title.empty()) annotation.title = request_.title;
+  if (!request_.legend) {
+    annotation.facts.clear();
+    return annotation;
+  }
   for (const auto& [kind, entry] : keys.legend) {
     if (Shows(kind)) annotation.legend.push_back(entry);
   }

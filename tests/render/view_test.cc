@@ -198,7 +198,7 @@ TEST(BuildSceneTest, ManyConstraintsHaveAThinnedStandInForTheMovingCamera) {
 }
 
 TEST(BuildSceneTest, ACacheChangesNoScene) {
-  GridCache cache(SmallLoop());
+  DerivedCache cache(SmallLoop());
   BuildScene(&cache, RequestFor(ViewKind::kGraph));
   const Scene cached = BuildScene(&cache, RequestFor(ViewKind::kMap));
   const Scene fresh = BuildScene(SmallLoop(), RequestFor(ViewKind::kMap));

@@ -20,6 +20,8 @@ class FakeHost : public SessionHost {
   void OpenDemo() override { calls.push_back("demo"); }
   void MapAgain() override { calls.push_back("map again"); }
   void StopMapping() override { calls.push_back("stop"); }
+  void StopExport() override { calls.push_back("stop export"); }
+  void ResetLayout() override { calls.push_back("reset layout"); }
   void Export(const std::string& path) override { calls.push_back("export " + path); }
   void CopyCommandLine() override { calls.push_back("copy"); }
   void ShowKeys() override { calls.push_back("keys"); }
