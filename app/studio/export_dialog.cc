@@ -95,6 +95,7 @@ QWidget* ExportDialog::MakeStepsRow(const Session& session) {
 
 QLayout* ExportDialog::MakeFileRow() {
   path_ = new QLineEdit(this);
+  path_->setObjectName("path");
   auto* const browse = new QPushButton("Choose…", this);
   connect(browse, &QPushButton::clicked, this, &ExportDialog::ChoosePath);
   auto* const row = new QHBoxLayout;

@@ -50,7 +50,8 @@ QTreeWidgetItem* MakeTitle(const Section& section) {
 
 QTreeWidgetItem* MakeRow(const ReportRow& row) {
   const QString name = QString::fromStdString(row.name);
-  auto* const item = new QTreeWidgetItem({name.section('.', -1), ValueOf(row)});
+  const QString last_part = name.contains(' ') ? name : name.section('.', -1);  // of an option
+  auto* const item = new QTreeWidgetItem({last_part, ValueOf(row)});
   item->setToolTip(kName, name);
   item->setToolTip(kValue,
                    row.exact.empty() ? item->text(kValue) : QString::fromStdString(row.exact));

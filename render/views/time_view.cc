@@ -177,9 +177,12 @@ void DrawSelection(const RisingGraph& graph, const RisingSelection& selection, S
                                   palette.selection, 1.0, sheet->Px(widths::kBold));
   });
   sheet->Add(0, LayerKind::kSelection, [&] {
-    return RisingNodesLayer(Picked(graph.state.global_from_node, selection.nodes),
-                            Picked(graph.node_heights, selection.nodes), palette.selection,
-                            sheet->Px(widths::kMark));
+    Shapes nodes;  // not hidden by what is in front of them
+    for (const int node : selection.nodes) {
+      nodes.SetHeight(graph.node_heights[node]);
+      nodes.AddPoint(graph.state.global_from_node[node].translation, palette.selection);
+    }
+    return MakeActor(nodes.Build(), {1.0, sheet->Px(widths::kMark), true});
   });
   sheet->Add(0, LayerKind::kSelection, [&] {
     return RisingFramesLayer(Picked(graph.state.global_from_submap, selection.submaps),

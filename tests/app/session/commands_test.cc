@@ -188,5 +188,24 @@ TEST_F(SessionCommandsTest, AreFoundInThePaletteByTheirWords) {
   EXPECT_FALSE(MatchesPalette(CommandNamed("event.next_loop"), "next opened"));
 }
 
+TEST_F(SessionCommandsTest, SelectsOneLoopAndMarksTheOthersBesideIt) {
+  const SessionState& state = Run("select.loops 5 2 7");
+  EXPECT_EQ(session_.SelectedCandidate(), 5);
+  EXPECT_EQ(state.loops, (std::vector<int>{2, 7}));
+  EXPECT_TRUE(Run("select.node 3").loops.empty());
+  EXPECT_THAT(ErrorOf("select.loops 5 999999"), HasSubstr("there is no loop 999999"));
+  EXPECT_THAT(ErrorOf("select.loops"), HasSubstr("expected one loop"));
+}
+
+TEST_F(SessionCommandsTest, FramesAPairByItsWidthAndItsHeight) {
+  const SessionState& state = Run("select.pair 60 0");
+  const MapState map = StateAfterStep(session_.recording(), state.step);
+  const Eigen::Vector2d apart =
+      map.global_from_node[60].translation - map.global_from_submap[0].translation;
+  const ViewCamera camera = *Run("camera.frame").views.at(ViewKind::kMap).camera;
+  EXPECT_GE(camera.width_in_meters, 1.6 * std::abs(apart.x()));
+  EXPECT_GE(camera.width_in_meters, 1.6 * 1.4 * std::abs(apart.y()) - 1e-9);
+}
+
 }  // namespace
 }  // namespace loopscope

@@ -62,7 +62,7 @@ TEST(RenderCommandLine, SaysFromWhichSideToLookAndWhatToChart) {
             "loopscope render r --view time --azimuth=-45.5 --elevation 0 -o o");
   ViewRequest chart;
   chart.view = ViewKind::kChart;
-  EXPECT_EQ(CommandLine(RenderArguments("r", chart, "o"), "loopscope render r --view chart -o o"));
+  EXPECT_EQ(CommandLine(RenderArguments("r", chart, "o")), "loopscope render r --view chart -o o");
   chart.chart = ChartKind::kResidualHistogram;
   EXPECT_EQ(CommandLine(RenderArguments("r", chart, "o")),
             "loopscope render r --view chart --chart residual-histogram -o o");
