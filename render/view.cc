@@ -48,12 +48,15 @@ void RequireFilter(const ViewRequest& request) {
 }
 
 void RequireCamera(const ViewRequest& request) {
-  if (request.view == ViewKind::kChart && (request.center || request.width_in_meters)) {
-    throw std::invalid_argument("view chart has no map: expected no center and no width of it");
+  const auto& width = request.width_in_meters;
+  const auto& height = request.height_in_meters;
+  if (request.view == ViewKind::kChart && (request.center || width || height)) {
+    throw std::invalid_argument("view chart has no map: expected no center and no size of it");
   }
-  if (request.width_in_meters && !(*request.width_in_meters > 0.0)) {
-    throw std::invalid_argument("width of the map is " + std::to_string(*request.width_in_meters) +
-                                " m: expected more than 0");
+  for (const auto& [name, size] : {std::pair("width", width), std::pair("height", height)}) {
+    if (!size || *size > 0.0) continue;
+    throw std::invalid_argument(
+        fmt::format("{} of the map is {:f} m: expected more than 0", name, *size));
   }
 }
 
@@ -87,9 +90,9 @@ bool operator==(const LoopPair& a, const LoopPair& b) {
 bool operator==(const ViewRequest& a, const ViewRequest& b) {
   const auto fields = [](const ViewRequest& r) {
     return std::tie(r.view, r.step, r.node, r.submap, r.marked, r.width, r.height, r.theme, r.title,
-                    r.layers, r.opacities, r.center, r.width_in_meters, r.azimuth, r.elevation,
-                    r.chart, r.legend, r.text_height, r.search.num_visits, r.search.height,
-                    r.search.angle_index);
+                    r.layers, r.opacities, r.center, r.width_in_meters, r.height_in_meters,
+                    r.azimuth, r.elevation, r.chart, r.plain, r.text_height, r.search.num_visits,
+                    r.search.height, r.search.angle_index);
   };
   return fields(a) == fields(b);
 }

@@ -45,11 +45,12 @@ struct ViewRequest {
   std::optional<std::set<LayerKind>> layers;  ///< those to draw, a part of LayersOf(view)
   std::map<LayerKind, double> opacities;      ///< in [0, 1], of layers of the view; 1 if left out
   std::optional<Eigen::Vector2d> center;      ///< [m] of the main panel, in the frame of the view
-  std::optional<double> width_in_meters;      ///< of the main panel
+  std::optional<double> width_in_meters;      ///< of the main panel,
+  std::optional<double> height_in_meters;     ///< likewise: where both are given, the least of each
   std::optional<double> azimuth;              ///< [deg] for time: from which side, see SideView
   std::optional<double> elevation;            ///< [deg] for time: 0 from the side to 90 from above
   ChartKind chart = ChartKind::kScores;       ///< for chart
-  bool legend = true;                         ///< with what stands beside the maps: also numbers
+  bool plain = false;              ///< only title and maps: no legend, colour bars and numbers
   std::optional<int> text_height;  ///< [px], 8 to 200; grows with the picture if left out
 };
 

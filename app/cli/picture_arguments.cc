@@ -27,8 +27,8 @@ void AddPictureArguments(CLI::App* command, PictureArguments* arguments) {
       ->check(CLI::IsMember(ThemeNames()));
   command->add_option("--title", arguments->title, "Title instead of the view's own")
       ->type_name("TEXT");
-  command->add_flag("--no-legend", arguments->no_legend,
-                    "Leave out what stands beside the maps: legend, colour bars and numbers");
+  command->add_flag("--plain", arguments->plain,
+                    "Nothing but title and maps: no legend, colour bars and numbers");
   command
       ->add_option("--text", arguments->text_height,
                    "Height of the text in pixels (default: grows with the picture)")
@@ -57,7 +57,7 @@ void ApplyTo(const PictureArguments& arguments, ViewRequest* request) {
   request->height = *height;
   request->theme = ThemeFromName(arguments.theme);
   request->title = arguments.title;
-  request->legend = !arguments.no_legend;
+  request->plain = arguments.plain;
   request->text_height = arguments.text_height;
 }
 

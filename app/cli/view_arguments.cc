@@ -96,6 +96,10 @@ void AddViewArguments(CLI::App* command, ViewArguments* arguments) {
   command->add_option("--width", arguments->width_in_meters, "Width of what is shown [m]")
       ->type_name("METERS");
   command
+      ->add_option("--min-height", arguments->height_in_meters,
+                   "Least height of what is shown [m]; --width is then the least width")
+      ->type_name("METERS");
+  command
       ->add_option("--chart", arguments->chart,
                    "What the view chart shows: scores, score-histogram, residuals, "
                    "residual-histogram or costs")
@@ -130,6 +134,7 @@ ViewRequest ToRequest(const ViewArguments& arguments, const Recording& recording
     request.center = Eigen::Vector2d(arguments.center[0], arguments.center[1]);
   }
   request.width_in_meters = arguments.width_in_meters;
+  request.height_in_meters = arguments.height_in_meters;
   request.chart = ChartKindFromName(arguments.chart);
   request.azimuth = arguments.azimuth;
   request.elevation = arguments.elevation;

@@ -21,6 +21,7 @@ struct ViewArguments {
   std::vector<std::string> layers;
   std::vector<double> center;
   std::optional<double> width_in_meters;
+  std::optional<double> height_in_meters;
   std::string chart = "scores";
   std::optional<double> azimuth;
   std::optional<double> elevation;

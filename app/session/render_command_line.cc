@@ -112,13 +112,14 @@ void AddView(const ViewRequest& request, Words* words) {
   words->Add("--layers", LayersOf(request));
   words->Add("--center", ValueOf(request.center));
   words->Add("--width", ValueOf(request.width_in_meters));
+  words->Add("--min-height", ValueOf(request.height_in_meters));
   words->Add("--chart", ChartOf(request));
   words->Add("--azimuth", ValueOf(request.azimuth));
   words->Add("--elevation", ValueOf(request.elevation));
   words->Add("--size", SizeOf(request));
   words->Add("--text", ValueOf(request.text_height));
   words->Add("--theme", ThemeOf(request));
-  if (!request.legend) words->Add("--no-legend");
+  if (request.plain) words->Add("--plain");
   words->Add("--title", TitleOf(request));
 }
 

@@ -51,8 +51,7 @@ void SelectLoops(const Session& session, const std::string& argument, SessionSta
 /// if nothing is selected.
 void FrameSelection(const Session& session, SessionState* state) {
   constexpr double kAround = 1.6;
-  constexpr double kMinWidth = 8.0;  // [m]
-  constexpr double kAspect = 1.4;    // width over height of a panel, about
+  constexpr double kMin = 6.0;  // [m]
   const MapState map = StateAfterStep(session.recording(), state->step);
   Eigen::AlignedBox2d box;
   if (state->node && state->node->index < map.num_nodes) {
@@ -65,8 +64,8 @@ void FrameSelection(const Session& session, SessionState* state) {
     auto& camera = state->views[view].camera;
     camera.reset();
     if (box.isEmpty()) continue;
-    const double width = std::max(box.sizes().x(), kAspect * box.sizes().y());
-    camera = ViewCamera{box.center(), std::max(kMinWidth, kAround * width)};
+    camera = ViewCamera{box.center(), std::max(kMin, kAround * box.sizes().x()),
+                        std::max(kMin, kAround * box.sizes().y())};
   }
 }
 

@@ -96,6 +96,7 @@ ViewRequest Session::RequestOf(int tile) const {
   if (settings->second.camera) {
     request.center = settings->second.camera->center;
     request.width_in_meters = settings->second.camera->width_in_meters;
+    request.height_in_meters = settings->second.camera->height_in_meters;
   }
   return request;
 }

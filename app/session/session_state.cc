@@ -8,7 +8,8 @@
 namespace loopscope {
 
 bool operator==(const ViewCamera& a, const ViewCamera& b) {
-  return a.center == b.center && a.width_in_meters == b.width_in_meters;
+  return a.center == b.center && a.width_in_meters == b.width_in_meters &&
+         a.height_in_meters == b.height_in_meters;
 }
 
 bool operator==(const ViewSettings& a, const ViewSettings& b) {

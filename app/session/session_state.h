@@ -17,8 +17,9 @@ namespace loopscope {
 
 /// What a view shows of its map.
 struct ViewCamera {
-  Eigen::Vector2d center;        ///< [m] in the frame of the view
-  double width_in_meters = 1.0;  ///< of the main panel
+  Eigen::Vector2d center;                                 ///< [m] in the frame of the view
+  double width_in_meters = 1.0;                           ///< of the main panel
+  std::optional<double> height_in_meters = std::nullopt;  ///< with it, the least of both
 };
 bool operator==(const ViewCamera& a, const ViewCamera& b);
 

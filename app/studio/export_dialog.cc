@@ -81,6 +81,7 @@ QWidget* ExportDialog::MakeStepsRow(const Session& session) {
   stride_ = NumberBox(1, std::max(1, last), std::max(1, last / kUsualFrames), "", this);
   frames_per_second_ = NumberBox(1, 120, 25, " frames/s", this);
   steps_ = new QWidget(this);
+  steps_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   auto* const row = new QHBoxLayout(steps_);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(first_);
@@ -141,7 +142,7 @@ ViewRequest ExportDialog::RequestOfSize() const {
       request.width == request_.width && request.height == request_.height;
   if (has_size_of_window) return request;
   request.text_height.reset();
-  request.legend = true;
+  request.plain = false;
   return request;
 }
 

@@ -18,7 +18,7 @@ class WrappedRows : public QStyledItemDelegate {
   explicit WrappedRows(QTreeView* view) : QStyledItemDelegate(view), view_(view) {}
 
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-    constexpr int kAround = 8, kBetween = 4;  // [px]
+    constexpr int kAround = 14, kBetween = 4;  // [px]
     const bool is_title = !index.parent().isValid();
     const int indent = index.column() == kName ? view_->indentation() : 0;
     const int width = is_title ? view_->viewport()->width() : view_->columnWidth(index.column());
@@ -50,7 +50,8 @@ QTreeWidgetItem* MakeTitle(const Section& section) {
 
 QTreeWidgetItem* MakeRow(const ReportRow& row) {
   const QString name = QString::fromStdString(row.name);
-  const QString last_part = name.contains(' ') ? name : name.section('.', -1);  // of an option
+  QString last_part = name.contains(' ') ? name : name.section('.', -1);  // of an option
+  last_part.replace("_", QString("_") + QChar(0x200b));                   // may be wrapped there
   auto* const item = new QTreeWidgetItem({last_part, ValueOf(row)});
   item->setToolTip(kName, name);
   item->setToolTip(kValue,

@@ -37,7 +37,7 @@ int PlaceOf(Kind kind, const std::vector<Kind>& kinds) {
 }
 
 constexpr int kTextHeight = 12;       // [px] as in the rest of the window
-constexpr int kSmallTextHeight = 10;  // [px] in a small tile,
+constexpr int kSmallTextHeight = 11;  // [px] in a small tile,
 constexpr int kSmallWidth = 560;      // [px] which has no room for a legend either
 
 }  // namespace
@@ -130,7 +130,7 @@ void Tile::Show(const Session& session) {
   request.height = std::max(kMinPictureHeight, view_->height());
   const bool is_small = view_->width() < kSmallWidth;
   request.text_height = is_small ? kSmallTextHeight : kTextHeight;
-  request.legend = !is_small;
+  request.plain = is_small;
   if (asked_ == request) return;
   asked_ = request;
   worker_->Ask(index_, request, view_->device_pixels());

@@ -43,7 +43,9 @@ std::vector<ViewRequest> Requests() {
   requests[8].view = ViewKind::kTime;
   requests[8].marked = {{NodeId{50}, SubmapId{0}}};
   requests[8].theme = Theme::kDarkColorBlind;
-  requests[8].legend = false;
+  requests[8].plain = true;
+  requests[7].width_in_meters = 2.0;
+  requests[7].height_in_meters = 3.0;
   return requests;
 }
 

@@ -13,6 +13,7 @@
 #include "render/charts/recording_charts.h"
 #include "render/layers/constraints.h"
 #include "render/layers/search_tree.h"
+#include "render/layout.h"
 #include "render/views/chart_plot.h"
 #include "tests/support/mapped_log.h"
 

@@ -136,7 +136,7 @@ TEST(ViewRequestTest, IsAnotherFromAnotherSideOrWithAnotherChart) {
 TEST(BuildSceneTest, AChartHasNoMapToAimAt) {
   ViewRequest request = RequestFor(ViewKind::kChart);
   request.width_in_meters = 3.0;
-  EXPECT_EQ(WhyRefused(request), "view chart has no map: expected no center and no width of it");
+  EXPECT_EQ(WhyRefused(request), "view chart has no map: expected no center and no size of it");
 }
 
 TEST(BuildSceneTest, GivesTheLayersTheOpacitiesAskedFor) {

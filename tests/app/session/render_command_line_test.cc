@@ -72,9 +72,11 @@ TEST(RenderCommandLine, SaysWhatIsMarkedAndWhatIsLeftOut) {
   ViewRequest request;
   request.marked = {{NodeId{57}, SubmapId{3}}, {NodeId{60}, SubmapId{4}}};
   request.theme = Theme::kDark;
-  request.legend = false;
-  EXPECT_EQ(CommandLine(RenderArguments("r", request, "o")),
-            "loopscope render r --view map --mark 57:3,60:4 --theme dark --no-legend -o o");
+  request.plain = true;
+  request.height_in_meters = 4.5;
+  EXPECT_EQ(
+      CommandLine(RenderArguments("r", request, "o")),
+      "loopscope render r --view map --mark 57:3,60:4 --min-height 4.5 --theme dark --plain -o o");
 }
 
 TEST(FilmCommandLine, SaysWhichStepsAndNotTheOneThatIsLookedAt) {

@@ -46,10 +46,5 @@ TEST_F(ScreenshotsTest, ItsSearchInADarkWindow) {
   ExpectScreenshot("studio-search");
 }
 
-TEST_F(ScreenshotsTest, FourViewsOfIt) {
-  Play({"view.graph", "tiles.four", "go.loop " + std::to_string(WorstLoop())});
-  ExpectScreenshot("studio-four");
-}
-
 }  // namespace
 }  // namespace loopscope

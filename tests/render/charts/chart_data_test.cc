@@ -53,7 +53,7 @@ TEST(ChartAxisTest, GivesBackTheValueOfAPlace) {
 
 TEST(PointAtTest, IsTheNearestOneWithinReach) {
   const ChartData data = TwoPoints();
-  EXPECT_EQ(PointAt(data, 50.1, 10.0)->candidate, 7);
+  EXPECT_EQ(PointAt(data, 50.1, 10.0)->candidate, -1);
   EXPECT_EQ(PointAt(data, 50.8, 10.0)->candidate, 8);
   EXPECT_EQ(PointAt(data, 49.0, 10.3)->candidate, 7);
 }
