@@ -18,7 +18,7 @@ class WrappedRows : public QStyledItemDelegate {
   explicit WrappedRows(QTreeView* view) : QStyledItemDelegate(view), view_(view) {}
 
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-    constexpr int kAround = 14, kBetween = 4;  // [px]
+    constexpr int kAround = 14, kBetween = 6;  // [px]
     const bool is_title = !index.parent().isValid();
     const int indent = index.column() == kName ? view_->indentation() : 0;
     const int width = is_title ? view_->viewport()->width() : view_->columnWidth(index.column());

@@ -316,7 +316,7 @@ void MainWindow::Open(const std::string& path) {
   QString file = QString::fromStdString(path);
   if (file.isEmpty()) {
     file = QFileDialog::getOpenFileName(
-        this, "Open a log or a recording", QString(),
+        this, "Open a log or a recording", RecentFiles::Folder(),
         "Logs and recordings (*.log *.clf *.gz *.loopscope);;All files (*)");
   }
   if (!file.isEmpty()) opener_.Open(file.toStdString(), LoopscopePreset());

@@ -25,6 +25,11 @@ void RecentFiles::Add(const std::string& path) {
   Fill();
 }
 
+QString RecentFiles::Folder() {
+  const QStringList recent = QSettings().value("recent").toStringList();
+  return recent.isEmpty() ? QString() : QFileInfo(recent.front()).absolutePath();
+}
+
 void RecentFiles::Fill() {
   clear();
   for (const QString& file : QSettings().value("recent").toStringList()) {

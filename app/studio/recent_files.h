@@ -16,6 +16,8 @@ class RecentFiles : public QMenu {
 
   /// Puts a file first.
   void Add(const std::string& path);
+  /// Of the file that was opened last; empty if there is none.
+  static QString Folder();
 
  private:
   void Fill();
