@@ -43,8 +43,10 @@ Finding FindingOf(const ChartThings& things, const ChartPoint& point) {
 }
 
 Finding FindingOf(const ChartThings& things, const ChartBar& bar) {
+  const bool is_first = bar.begin <= things.data.x.min;  // holds all that is less
   Finding finding;
-  finding.range = LoopRange{IsOfResiduals(things.kind) ? "residual" : "score", bar.begin, bar.end};
+  finding.range = LoopRange{IsOfResiduals(things.kind) ? "residual" : "score",
+                            is_first ? 0.0 : bar.begin, bar.end};
   finding.facts = {{"from", ValueText(things.kind, bar.begin)},
                    {"to", ValueText(things.kind, bar.end)},
                    {things.data.y.title, CountText(bar.high - bar.low)}};
