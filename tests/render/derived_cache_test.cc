@@ -50,8 +50,8 @@ TEST(DerivedCacheTest, KeepsWhatWasUsedLastWithinItsBudget) {
   const auto first = cache.GridsOfState(StateAfterStep(recording, 59));
   EXPECT_EQ(cache.GridsOfState(StateAfterStep(recording, 59)), first) << "all of the last state";
   cache.GridsOfState(StateAfterStep(recording, 0));
-  EXPECT_NE(cache.GridsOfState(StateAfterStep(recording, 59)), first) << "derived anew";
   EXPECT_FALSE(cache.Prefetch()) << "no room";
+  EXPECT_NE(cache.GridsOfState(StateAfterStep(recording, 59))[0], first[0]) << "derived anew";
 }
 
 TEST(DerivedCacheTest, PrefetchesTheFinishedSubmapsFromTheNewestOneOfTheStateOn) {
