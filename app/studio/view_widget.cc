@@ -29,6 +29,7 @@ ViewWidget::ViewWidget(QWidget* parent) : QVTKOpenGLNativeWidget(parent) {
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   window->SetMultiSamples(0);
   setRenderWindow(window);
+  setEnableHiDPI(false);  // texts of a scene are as large already as the screen needs them
   interactor()->SetInteractorStyle(nullptr);
   setMouseTracking(true);
   setFocusPolicy(Qt::ClickFocus);
