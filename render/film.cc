@@ -45,7 +45,7 @@ StepRange ParseStepRange(const std::string& text, int num_steps) {
   return {*first, *last, *stride};
 }
 
-ViewRequest WithCameraOf(GridCache* cache, ViewRequest request, int step) {
+ViewRequest WithCameraOf(DerivedCache* cache, ViewRequest request, int step) {
   const std::set<ViewKind> fixed{ViewKind::kMap, ViewKind::kGraph, ViewKind::kTime};
   if (fixed.count(request.view) == 0) return request;
   request.step = step;

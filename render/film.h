@@ -26,6 +26,6 @@ StepRange ParseStepRange(const std::string& text, int num_steps);
 /// `request` with the camera that it has at `step`, for the views in the frame of the map, so that
 /// a film does not jump. What the request itself says of the camera stays, and so do the other
 /// views: they follow a submap. Throws as BuildScene does.
-ViewRequest WithCameraOf(GridCache* cache, ViewRequest request, int step);
+ViewRequest WithCameraOf(DerivedCache* cache, ViewRequest request, int step);
 
 }  // namespace loopscope

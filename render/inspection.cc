@@ -7,7 +7,8 @@
 namespace loopscope {
 namespace {
 
-Look LookOf(const Recording& recording, const ViewRequest& request, const Scene& scene) {
+Look LookOf(DerivedCache* cache, const ViewRequest& request, const Scene& scene) {
+  const Recording& recording = cache->recording();
   switch (request.view) {
     case ViewKind::kSubmap:
       return InspectSubmap(recording, request);
@@ -17,10 +18,11 @@ Look LookOf(const Recording& recording, const ViewRequest& request, const Scene&
       return InspectMatch(recording, request);
     case ViewKind::kSearch: {
       const Box& chart = scene.panels.back().frame;
-      return InspectSearch(recording, request, chart.width / chart.height);
+      return InspectSearch(cache, request, chart.width / chart.height);
     }
-    case ViewKind::kTime:
     case ViewKind::kChart:
+      return InspectChart(recording, request, scene);
+    case ViewKind::kTime:
       return [](int, const Eigen::Vector2d&, double) { return std::nullopt; };
     case ViewKind::kMap:
     case ViewKind::kGraph:
@@ -31,7 +33,7 @@ Look LookOf(const Recording& recording, const ViewRequest& request, const Scene&
 
 }  // namespace
 
-Inspector::Inspector(const Recording& recording, const ViewRequest& request, const Scene& scene)
-    : look_(LookOf(recording, request, scene)) {}
+Inspector::Inspector(DerivedCache* cache, const ViewRequest& request, const Scene& scene)
+    : look_(LookOf(cache, request, scene)) {}
 
 }  // namespace loopscope

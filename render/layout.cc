@@ -132,13 +132,12 @@ void PlaceColumn(const Annotation& annotation, Box* area, Layout* layout) {
 
 }  // namespace
 
-SheetSize MakeSheetSize(int width, int height, int oversampling,
-                        std::optional<int> text_height) {
+SheetSize MakeSheetSize(int width, int height, int oversampling, std::optional<int> text_height) {
   if (width < kMinPictureWidth || height < kMinPictureHeight || width > kMaxPictureSide ||
       height > kMaxPictureSide) {
-    throw std::invalid_argument(fmt::format(
-        "size {}x{}: expected a picture between {}x{} and {}x{}", width, height, kMinPictureWidth,
-        kMinPictureHeight, kMaxPictureSide, kMaxPictureSide));
+    throw std::invalid_argument(
+        fmt::format("size {}x{}: expected a picture between {}x{} and {}x{}", width, height,
+                    kMinPictureWidth, kMinPictureHeight, kMaxPictureSide, kMaxPictureSide));
   }
   const double shorter = std::min<double>(height, 0.75 * width);
   const double fitting = std::max(8.0, 3.2 + 0.0135 * shorter);
@@ -165,7 +164,7 @@ Layout LayOut(const SheetSize& size, const Annotation& annotation, const Arrange
   Box area = Shrunk({0.0, 0.0, static_cast<double>(size.width), static_cast<double>(size.height)},
                     kMargin * size.font);
   layout.title = CutTop(1.6 * size.font, &area);
-  layout.subtitle = CutTop(kRow * size.font, &area);
+  if (!annotation.subtitle.empty()) layout.subtitle = CutTop(kRow * size.font, &area);
   CutTop(0.4 * size.font, &area);
   PlaceColumn(annotation, &area, &layout);
   layout.panels = PlacePanels(size, arrangement, area);

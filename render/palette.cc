@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
+#include <utility>
 
 namespace loopscope {
 namespace {
@@ -102,6 +104,57 @@ Palette ColorBlindPalette() {
   return p;
 }
 
+/// `p` with dark paper and dark maps, for hues that are bright enough to be seen on them.
+Palette OnDarkPaper(Palette p) {
+  p.paper = Rgb(0x1b1d22);
+  p.ink = Rgb(0xe6e9ee);
+  p.faint_ink = Rgb(0x9ba4b0);
+  p.rule = Rgb(0x4b525d);
+  p.map_free = Rgb(0x454a53);
+  p.map_occupied = Rgb(0xeef1f4);
+  p.map_unknown = Rgb(0x2a2d33);
+  p.odds = {{Rgb(0x5aa2f0), Rgb(0x335f92), Rgb(0x3a3d43), Rgb(0x964b3f), Rgb(0xf2685c)}};
+  p.never_seen = Rgb(0x55503f);
+  p.expanded = Rgb(0xf4f6f8);
+  p.hatch = WithOpacity(Rgb(0xc6ced8), 0.55);
+  return p;
+}
+
+Palette DarkPalette() {
+  Palette p = OnDarkPaper(DefaultPalette());
+  p.scan = Rgb(0xff5c4d);
+  p.ray = Rgb(0x6c9fdc);
+  p.hit = Rgb(0xff5c4d);
+  p.prior = Rgb(0xff9838);
+  p.correlative = Rgb(0xbb86fc);
+  p.refined = Rgb(0x3ccf78);
+  p.window = Rgb(0x62a5ff);
+  p.winner = Rgb(0xff55b3);
+  p.trajectory = Rgb(0x7f9bff);
+  p.robot = Rgb(0xff55b3);
+  p.axis_x = Rgb(0xff5151);
+  p.axis_y = Rgb(0x3fce3f);
+  return p;
+}
+
+Palette DarkColorBlindPalette() {
+  Palette p = OnDarkPaper(ColorBlindPalette());
+  p.ray = p.miss;  // the blues of light paper are lost on dark one
+  p.refined = p.miss;
+  p.window = p.miss;
+  p.trajectory = p.miss;
+  return p;
+}
+
+const std::vector<std::pair<Theme, std::string>>& Names() {
+  static const std::vector<std::pair<Theme, std::string>> names{
+      {Theme::kDefault, "default"},
+      {Theme::kColorBlind, "color-blind"},
+      {Theme::kDark, "dark"},
+      {Theme::kDarkColorBlind, "dark-color-blind"}};
+  return names;
+}
+
 }  // namespace
 
 bool operator==(const Color& a, const Color& b) {
@@ -125,9 +178,24 @@ Color ColorMap::At(double t) const {
 }
 
 Theme ThemeFromName(const std::string& name) {
-  if (name == "default") return Theme::kDefault;
-  if (name == "color-blind") return Theme::kColorBlind;
-  throw std::invalid_argument("unknown theme '" + name + "': expected default or color-blind");
+  std::string expected;
+  for (const auto& [theme, known] : Names()) {
+    if (known == name) return theme;
+    expected += (expected.empty() ? "" : ", ") + known;
+  }
+  throw std::invalid_argument("unknown theme '" + name + "': expected one of " + expected);
+}
+
+std::string ToString(Theme theme) {
+  const auto found = std::find_if(Names().begin(), Names().end(),
+                                  [&](const auto& entry) { return entry.first == theme; });
+  return found->second;
+}
+
+std::vector<std::string> ThemeNames() {
+  std::vector<std::string> names;
+  for (const auto& [theme, name] : Names()) names.push_back(name);
+  return names;
 }
 
 Color HueOf(int id) {
@@ -138,9 +206,11 @@ Color HueOf(int id) {
 }
 
 const Palette& PaletteOf(Theme theme) {
-  static const Palette default_palette = DefaultPalette();
-  static const Palette color_blind_palette = ColorBlindPalette();
-  return theme == Theme::kColorBlind ? color_blind_palette : default_palette;
+  static const std::map<Theme, Palette> palettes{{Theme::kDefault, DefaultPalette()},
+                                                 {Theme::kColorBlind, ColorBlindPalette()},
+                                                 {Theme::kDark, DarkPalette()},
+                                                 {Theme::kDarkColorBlind, DarkColorBlindPalette()}};
+  return palettes.at(theme);
 }
 
 }  // namespace loopscope

@@ -33,12 +33,19 @@ struct ColorMap {
 };
 
 enum class Theme {
-  kDefault,     ///< Cartographer's RViz convention
-  kColorBlind,  ///< hues told apart with any colour vision (Okabe and Ito)
+  kDefault,         ///< Cartographer's RViz convention
+  kColorBlind,      ///< hues told apart with any colour vision (Okabe and Ito)
+  kDark,            ///< the default on dark paper, free space dark and obstacles bright
+  kDarkColorBlind,  ///< likewise with the hues of kColorBlind
 };
 
-/// "default" or "color-blind". Throws std::invalid_argument naming these for anything else.
+/// "default", "color-blind", "dark" or "dark-color-blind". Throws std::invalid_argument naming
+/// these for anything else.
 Theme ThemeFromName(const std::string& name);
+std::string ToString(Theme theme);
+
+/// The names of all themes.
+std::vector<std::string> ThemeNames();
 
 /// Colour `id` of an endless series of hues, any two near ids far apart: steps of the golden ratio,
 /// as Cartographer colours trajectories.

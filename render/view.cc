@@ -48,12 +48,15 @@ void RequireFilter(const ViewRequest& request) {
 }
 
 void RequireCamera(const ViewRequest& request) {
-  if (request.view == ViewKind::kChart && (request.center || request.width_in_meters)) {
-    throw std::invalid_argument("view chart has no map: expected no center and no width of it");
+  const auto& width = request.width_in_meters;
+  const auto& height = request.height_in_meters;
+  if (request.view == ViewKind::kChart && (request.center || width || height)) {
+    throw std::invalid_argument("view chart has no map: expected no center and no size of it");
   }
-  if (request.width_in_meters && !(*request.width_in_meters > 0.0)) {
-    throw std::invalid_argument("width of the map is " + std::to_string(*request.width_in_meters) +
-                                " m: expected more than 0");
+  for (const auto& [name, size] : {std::pair("width", width), std::pair("height", height)}) {
+    if (!size || *size > 0.0) continue;
+    throw std::invalid_argument(
+        fmt::format("{} of the map is {:f} m: expected more than 0", name, *size));
   }
 }
 
@@ -70,13 +73,26 @@ void RequireSide(const ViewRequest& request) {
   }
 }
 
+void RequireMarks(const ViewRequest& request) {
+  const std::set<ViewKind> of_graph{ViewKind::kMap, ViewKind::kGraph, ViewKind::kTime,
+                                    ViewKind::kChart};
+  if (request.marked.empty() || of_graph.count(request.view) > 0) return;
+  throw std::invalid_argument("view " + ToString(request.view) +
+                              " marks no loops: expected view map, graph, time or chart");
+}
+
 }  // namespace
+
+bool operator==(const LoopPair& a, const LoopPair& b) {
+  return a.node == b.node && a.submap == b.submap;
+}
 
 bool operator==(const ViewRequest& a, const ViewRequest& b) {
   const auto fields = [](const ViewRequest& r) {
-    return std::tie(r.view, r.step, r.node, r.submap, r.width, r.height, r.theme, r.title, r.layers,
-                    r.opacities, r.center, r.width_in_meters, r.azimuth, r.elevation, r.chart,
-                    r.text_height, r.search.num_visits, r.search.height, r.search.angle_index);
+    return std::tie(r.view, r.step, r.node, r.submap, r.marked, r.width, r.height, r.theme, r.title,
+                    r.layers, r.opacities, r.center, r.width_in_meters, r.height_in_meters,
+                    r.azimuth, r.elevation, r.chart, r.plain, r.text_height, r.search.num_visits,
+                    r.search.height, r.search.angle_index);
   };
   return fields(a) == fields(b);
 }
@@ -87,13 +103,14 @@ int OversamplingOf(const ViewRequest& request) {
 }
 
 Scene BuildScene(const Recording& recording, const ViewRequest& request, int oversampling) {
-  GridCache cache(recording);
+  DerivedCache cache(recording);
   return BuildScene(&cache, request, oversampling);
 }
 
-Scene BuildScene(GridCache* cache, const ViewRequest& request, int oversampling) {
+Scene BuildScene(DerivedCache* cache, const ViewRequest& request, int oversampling) {
   RequireLayers(request);
   RequireFilter(request);
+  RequireMarks(request);
   RequireCamera(request);
   RequireSide(request);
   RequireTextHeight(request);
@@ -108,7 +125,7 @@ Scene BuildScene(GridCache* cache, const ViewRequest& request, int oversampling)
     case ViewKind::kMatch:
       return BuildMatchView(recording, request, oversampling);
     case ViewKind::kSearch:
-      return BuildSearchView(recording, request, oversampling);
+      return BuildSearchView(cache, request, oversampling);
     case ViewKind::kTime:
       return BuildTimeView(cache, request, oversampling);
     case ViewKind::kChart:

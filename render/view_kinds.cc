@@ -67,9 +67,9 @@ const LayerSets& LayerSetsOf(ViewKind kind) {
   static const std::set<L> graph{L::kGrid,      L::kIntra,     L::kTrajectory, L::kNodes,
                                  L::kInter,     L::kResiduals, L::kFrames,     L::kRobot,
                                  L::kSelection, L::kLabels};
-  static const std::set<L> time{L::kGrid,   L::kTrajectory, L::kNodes, L::kInter,
-                                L::kFrames, L::kRobot,      L::kLabels};
-  static const std::set<L> chart{L::kGrid, L::kScan, L::kLabels};
+  static const std::set<L> time{L::kGrid,   L::kTrajectory, L::kNodes,     L::kInter,
+                                L::kFrames, L::kRobot,      L::kSelection, L::kLabels};
+  static const std::set<L> chart{L::kGrid, L::kScan, L::kSelection, L::kLabels};
   static const std::map<ViewKind, LayerSets> sets{
       {ViewKind::kMap, {map, {L::kGrid, L::kTrajectory, L::kRobot, L::kSelection}}},
       {ViewKind::kSubmap, {submap, submap}},

@@ -54,11 +54,11 @@ std::optional<Recording> Map(const ScanLog& log, const std::string& path) {
   const InterruptGuard guard;
   ProgressBar bar;
   const int num_threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  Recording recording =
-      MapLog(log, options, num_threads, &writer, [&](const SlamUpdate&, const MappingProgress& progress) {
-        bar.Show(progress);
-        return !InterruptGuard::interrupted();
-      });
+  Recording recording = MapLog(log, options, num_threads, &writer,
+                               [&](const SlamUpdate&, const MappingProgress& progress) {
+                                 bar.Show(progress);
+                                 return !InterruptGuard::interrupted();
+                               });
   bar.End();
   if (InterruptGuard::interrupted()) return std::nullopt;
   writer.Finish(bar.seconds());

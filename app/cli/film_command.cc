@@ -27,7 +27,7 @@ struct FilmArguments {
 
 /// Returns the number of frames; fewer than there are steps if the user interrupted it.
 int Shoot(const Recording& recording, const FilmArguments& arguments, const StepRange& steps) {
-  GridCache cache(recording);
+  DerivedCache cache(recording);
   Painter painter(BackendFromName(arguments.view.picture.backend));
   ViewRequest request =
       WithCameraOf(&cache, ToRequest(arguments.view, recording), steps.step(steps.count() - 1));

@@ -66,11 +66,11 @@ int RunMap(const MapArguments& arguments) {
   RecordingWriter writer(output, log, options);
   const InterruptGuard guard;
   ProgressBar bar;
-  const Recording recording =
-      MapLog(log, options, arguments.num_threads, &writer, [&](const SlamUpdate&, const MappingProgress& progress) {
-        bar.Show(progress);
-        return !InterruptGuard::interrupted();
-      });
+  const Recording recording = MapLog(log, options, arguments.num_threads, &writer,
+                                     [&](const SlamUpdate&, const MappingProgress& progress) {
+                                       bar.Show(progress);
+                                       return !InterruptGuard::interrupted();
+                                     });
   bar.End();
   if (recording.num_steps() == static_cast<int>(log.scans.size())) writer.Finish(bar.seconds());
   PrintSummary(recording, output, bar.seconds());

@@ -21,11 +21,14 @@ void AddPictureArguments(CLI::App* command, PictureArguments* arguments) {
   command->add_option("--size", arguments->size, "Width and height in pixels (default: 1280x720)")
       ->type_name("WxH");
   command
-      ->add_option("--theme", arguments->theme, "Colours: default (Cartographer's) or color-blind")
+      ->add_option("--theme", arguments->theme,
+                   "Colours: default (Cartographer's), color-blind, dark or dark-color-blind")
       ->type_name("NAME")
-      ->check(CLI::IsMember({"default", "color-blind"}));
+      ->check(CLI::IsMember(ThemeNames()));
   command->add_option("--title", arguments->title, "Title instead of the view's own")
       ->type_name("TEXT");
+  command->add_flag("--plain", arguments->plain,
+                    "Nothing but title and maps: no legend, colour bars and numbers");
   command
       ->add_option("--text", arguments->text_height,
                    "Height of the text in pixels (default: grows with the picture)")
@@ -46,15 +49,15 @@ void ApplyTo(const PictureArguments& arguments, ViewRequest* request) {
   const auto height = ParseInt(size.substr(std::min(cross + 1, size.size())));
   if (!width || !height || *width < kMinPictureWidth || *height < kMinPictureHeight ||
       *width > kMaxPictureSide || *height > kMaxPictureSide) {
-    throw std::invalid_argument(
-        fmt::format("--size {}: expected width and height in pixels, {}x{} to {}x{}",
-                    arguments.size, kMinPictureWidth, kMinPictureHeight, kMaxPictureSide,
-                    kMaxPictureSide));
+    throw std::invalid_argument(fmt::format(
+        "--size {}: expected width and height in pixels, {}x{} to {}x{}", arguments.size,
+        kMinPictureWidth, kMinPictureHeight, kMaxPictureSide, kMaxPictureSide));
   }
   request->width = *width;
   request->height = *height;
   request->theme = ThemeFromName(arguments.theme);
   request->title = arguments.title;
+  request->plain = arguments.plain;
   request->text_height = arguments.text_height;
 }
 

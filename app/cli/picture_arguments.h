@@ -20,6 +20,7 @@ struct PictureArguments {
   std::string size = "1280x720";
   std::string theme = "default";
   std::string title;
+  bool plain = false;
   std::optional<int> text_height;  // [px]
   std::string backend = "auto";
 };

@@ -29,6 +29,17 @@ void AddLayer(const std::string& text, ViewRequest* request) {
   request->opacities[kind] = *opacity;
 }
 
+/// "12:3": a node and a submap.
+LoopPair PairOf(const Recording& recording, const std::string& text) {
+  const std::size_t colon = std::min(text.find(':'), text.size());
+  const auto node = ParseInt(std::string_view(text).substr(0, colon));
+  const auto submap = ParseInt(std::string_view(text).substr(std::min(colon + 1, text.size())));
+  if (!node || !submap) {
+    throw std::invalid_argument("--mark " + text + ": expected a node and a submap, as in 120:3");
+  }
+  return {NodeOf(recording, *node), SubmapOf(recording, *submap)};
+}
+
 void AddSearchFilter(CLI::App* command, SearchFilter* filter) {
   command
       ->add_option("--visits", filter->num_visits,
@@ -60,12 +71,17 @@ void AddViewArguments(CLI::App* command, ViewArguments* arguments) {
       ->type_name("VIEW");
   command
       ->add_option("--node", arguments->node,
-                   "Node to show (update, match, search) or to mark (map, graph)")
+                   "Node to show (update, match, search) or to mark (map, graph, time)")
       ->type_name("N");
   command
       ->add_option("--submap", arguments->submap,
-                   "Submap to show (submap, update, search) or to mark (map, graph)")
+                   "Submap to show (submap, update, search) or to mark (map, graph, time)")
       ->type_name("M");
+  command
+      ->add_option("--mark", arguments->marked,
+                   "Loops to mark beside it, each a node and a submap (map, graph, time, chart)")
+      ->type_name("N:M,...")
+      ->delimiter(',');
   AddSearchFilter(command, &arguments->search);
   command
       ->add_option("--layers", arguments->layers,
@@ -78,6 +94,10 @@ void AddViewArguments(CLI::App* command, ViewArguments* arguments) {
       ->delimiter(',')
       ->expected(2);
   command->add_option("--width", arguments->width_in_meters, "Width of what is shown [m]")
+      ->type_name("METERS");
+  command
+      ->add_option("--min-height", arguments->height_in_meters,
+                   "Least height of what is shown [m]; --width is then the least width")
       ->type_name("METERS");
   command
       ->add_option("--chart", arguments->chart,
@@ -102,6 +122,9 @@ ViewRequest ToRequest(const ViewArguments& arguments, const Recording& recording
   request.view = ViewKindFromName(arguments.view);
   if (arguments.node) request.node = NodeOf(recording, *arguments.node);
   if (arguments.submap) request.submap = SubmapOf(recording, *arguments.submap);
+  for (const std::string& pair : arguments.marked) {
+    request.marked.push_back(PairOf(recording, pair));
+  }
   request.search = arguments.search;
   if (!arguments.layers.empty()) {
     request.layers.emplace();
@@ -111,6 +134,7 @@ ViewRequest ToRequest(const ViewArguments& arguments, const Recording& recording
     request.center = Eigen::Vector2d(arguments.center[0], arguments.center[1]);
   }
   request.width_in_meters = arguments.width_in_meters;
+  request.height_in_meters = arguments.height_in_meters;
   request.chart = ChartKindFromName(arguments.chart);
   request.azimuth = arguments.azimuth;
   request.elevation = arguments.elevation;

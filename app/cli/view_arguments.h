@@ -16,10 +16,12 @@ struct ViewArguments {
   std::string view = "map";
   std::optional<int> node;
   std::optional<int> submap;
+  std::vector<std::string> marked;  // N:M
   SearchFilter search;
   std::vector<std::string> layers;
   std::vector<double> center;
   std::optional<double> width_in_meters;
+  std::optional<double> height_in_meters;
   std::string chart = "scores";
   std::optional<double> azimuth;
   std::optional<double> elevation;

@@ -102,9 +102,8 @@ bool MatchesPalette(const Command& command, const std::string& text) {
   std::vector<std::string_view> words;
   const std::string wanted = Lower(text);
   SplitWords(wanted, &words);
-  return std::all_of(words.begin(), words.end(), [&](std::string_view word) {
-    return title.find(word) != std::string::npos;
-  });
+  return std::all_of(words.begin(), words.end(),
+                     [&](std::string_view word) { return title.find(word) != std::string::npos; });
 }
 
 }  // namespace loopscope

@@ -22,23 +22,26 @@ class SessionHost {
   /// Maps the log of the recording once more, with options that the person edits.
   virtual void MapAgain() = 0;
   virtual void StopMapping() = 0;
-  /// Writes the picture of the active tile to `path`.
+  /// Writes the picture of the active tile to `path`, or a film of it if the person wants one.
   virtual void Export(const std::string& path) = 0;
+  virtual void StopExport() = 0;
   /// Puts the command line that draws the picture of the active tile into the clipboard.
   virtual void CopyCommandLine() = 0;
   virtual void ShowKeys() = 0;
   virtual void ShowPalette() = 0;
   virtual void SetWindowTheme(const std::string& name) = 0;
+  /// Puts all docks back to where they were on the first day.
+  virtual void ResetLayout() = 0;
   virtual void Quit() = 0;
 };
 
 /// One thing that a person can do. Menu, key, palette, script and test run the same one.
 struct Command {
-  std::string name;                ///< e.g. "step.next"
-  std::string title;               ///< e.g. "Next scan"
-  std::string menu;                ///< in which menu it stands; empty: in none
-  std::vector<std::string> keys;   ///< e.g. "Ctrl+Right", as Qt spells them
-  std::string argument;            ///< what it needs, e.g. "N"; empty: nothing
+  std::string name;               ///< e.g. "step.next"
+  std::string title;              ///< e.g. "Next scan"
+  std::string menu;               ///< in which menu it stands; empty: in none
+  std::vector<std::string> keys;  ///< e.g. "Ctrl+Right", as Qt spells them
+  std::string argument;           ///< what it needs, e.g. "N"; empty: nothing
   std::function<bool(const Session&)> is_possible;
   /// Throws std::invalid_argument saying what was expected if the argument makes no sense.
   std::function<void(Session*, SessionHost*, const std::string& argument)> run;

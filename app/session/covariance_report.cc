@@ -7,8 +7,8 @@
 
 #include "app/session/inspection_report.h"
 #include "app/session/report_rows.h"
-#include "render/views/selection.h"
 #include "core/slam/covariance.h"
+#include "render/views/selection.h"
 
 namespace loopscope {
 namespace {

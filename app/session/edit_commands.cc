@@ -5,10 +5,18 @@
 namespace loopscope {
 
 std::vector<Command> EditCommands() {
-  return {{"edit.undo", "Undo", "Edit", {"Ctrl+Z"}, "",
+  return {{"edit.undo",
+           "Undo",
+           "Edit",
+           {"Ctrl+Z"},
+           "",
            [](const Session& session) { return session.can_undo(); },
            [](Session* session, SessionHost*, const std::string&) { session->Undo(); }},
-          {"edit.redo", "Redo", "Edit", {"Ctrl+Y", "Ctrl+Shift+Z"}, "",
+          {"edit.redo",
+           "Redo",
+           "Edit",
+           {"Ctrl+Y", "Ctrl+Shift+Z"},
+           "",
            [](const Session& session) { return session.can_redo(); },
            [](Session* session, SessionHost*, const std::string&) { session->Redo(); }}};
 }

@@ -13,9 +13,10 @@ namespace loopscope {
 /// Something that is known, such as "score" and "0.612".
 struct ReportRow {
   std::string name;
-  std::string value;     ///< with unit
-  std::string expected;  ///< by a gate, e.g. "more than 0.550"; empty if there is nothing to fail
-  bool passed = true;    ///< the gate
+  std::string value;       ///< with unit
+  std::string expected;    ///< by a gate, e.g. "more than 0.550"; empty if there is nothing to fail
+  bool passed = true;      ///< the gate
+  std::string exact = "";  ///< an option's value with all its digits
 };
 
 /// Rows that belong together.

@@ -15,8 +15,7 @@ Command TableCommand(const char* name, const char* title, const char* argument,
                       [change](const Session&, const std::string& text, SessionState* state) {
                         const std::size_t space = std::min(text.find(' '), text.size());
                         const TableKind kind = TableKindFromName(text.substr(0, space));
-                        change(text.substr(std::min(space + 1, text.size())),
-                               &state->tables[kind]);
+                        change(text.substr(std::min(space + 1, text.size())), &state->tables[kind]);
                       });
 }
 
@@ -34,10 +33,9 @@ void SortDownBy(const std::string& column, TableSettings* settings) {
 
 std::vector<Command> ListCommands() {
   return {
-      TableCommand("table.filter", "List only rows that fit", "TABLE QUERY",
-                   [](const std::string& rest, TableSettings* settings) {
-                     settings->filter = rest;
-                   }),
+      TableCommand(
+          "table.filter", "List only rows that fit", "TABLE QUERY",
+          [](const std::string& rest, TableSettings* settings) { settings->filter = rest; }),
       TableCommand("table.sort", "Sort rows, lowest first", "TABLE COLUMN", SortBy),
       TableCommand("table.sort_down", "Sort rows, highest first", "TABLE COLUMN", SortDownBy),
   };

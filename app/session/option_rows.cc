@@ -5,15 +5,6 @@
 #include "core/slam/option_values.h"
 
 namespace loopscope {
-namespace {
-
-OptionEntry::Kind KindOf(const OptionRow& row) {
-  if (std::holds_alternative<bool*>(row.field)) return OptionEntry::Kind::kFlag;
-  return std::holds_alternative<int*>(row.field) ? OptionEntry::Kind::kWholeNumber
-                                                 : OptionEntry::Kind::kNumber;
-}
-
-}  // namespace
 
 std::vector<OptionEntry> OptionRows(const Options& options, const Options& preset) {
   Options options_copy = options;
@@ -26,33 +17,9 @@ std::vector<OptionEntry> OptionRows(const Options& options, const Options& prese
     const OptionValue value = GetValue(row);
     const OptionValue preset_value = GetValue(preset_table[i]);
     entries.push_back({row.key, ToText(value), ToText(preset_value), value != preset_value,
-                       KindOf(row), row.minimum, row.maximum, row.unit, ExpectedValue(row),
-                       row.sentence});
+                       row.unit, ExpectedValue(row), row.sentence});
   }
   return entries;
-}
-
-Options WithEdits(const Options& options, const std::vector<OptionEdit>& edits) {
-  Options edited = options;
-  for (const OptionEdit& edit : edits) SetFromAssignment(edit.key + "=" + edit.text, &edited);
-  return edited;
-}
-
-std::optional<std::string> ErrorOf(const OptionEdit& edit) {
-  try {
-    WithEdits(Options(), {edit});
-    return std::nullopt;
-  } catch (const OptionError& error) {
-    return error.what();
-  }
-}
-
-std::vector<std::string> AssignmentsOf(const Options& options, const Options& preset) {
-  std::vector<std::string> assignments;
-  for (const OptionEntry& entry : OptionRows(options, preset)) {
-    if (entry.changed) assignments.push_back(entry.key + "=" + entry.value);
-  }
-  return assignments;
 }
 
 }  // namespace loopscope

@@ -1,26 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "app/session/inspection_report.h"
 #include "app/session/report_rows.h"
-#include "render/views/selection.h"
 #include "core/slam/loop_explanation.h"
+#include "render/views/selection.h"
 
 namespace loopscope {
 namespace {
-
-/// The candidate that the mapper made of the pair; null if it made none.
-const LoopCandidate* FindCandidate(const Recording& recording, SubmapId submap, NodeId node) {
-  const auto& candidates = recording.candidates();
-  const auto found =
-      std::find_if(candidates.begin(), candidates.end(), [&](const LoopCandidate& candidate) {
-        return candidate.submap == submap && candidate.node == node;
-      });
-  return found == candidates.end() ? nullptr : &*found;
-}
 
 Section PairSection(const Recording& recording, SubmapId submap, NodeId node,
                     const LoopCandidate* candidate) {
@@ -82,7 +70,8 @@ InspectionReport ReportOnPair(const Recording& recording, const MapState& state,
                               NodeId node) {
   RequireSubmap(recording, submap);
   RequireNode(recording, node);
-  const LoopCandidate* const candidate = FindCandidate(recording, submap, node);
+  const std::optional<int> index = recording.FindCandidate(submap, node);
+  const LoopCandidate* const candidate = index ? &recording.candidates()[*index] : nullptr;
   InspectionReport report = {PairSection(recording, submap, node, candidate),
                              GateSection(ExplainLoop(recording, submap, node))};
   if (candidate != nullptr && candidate->verdict != Verdict::kNotSampled) {

@@ -29,6 +29,14 @@ Value ValueOfId(const std::optional<Id>& id) {
   return id ? Value(std::to_string(id->index)) : std::nullopt;
 }
 
+Value ValueOf(const std::vector<LoopPair>& pairs) {
+  std::string text;
+  for (const LoopPair& pair : pairs) {
+    text += fmt::format("{}{}:{}", text.empty() ? "" : ",", pair.node.index, pair.submap.index);
+  }
+  return text.empty() ? std::nullopt : Value(text);
+}
+
 Value ValueOf(const std::optional<Eigen::Vector2d>& point) {
   return point ? Value(fmt::format("{},{}", point->x(), point->y())) : std::nullopt;
 }
@@ -55,13 +63,8 @@ Value SizeOf(const ViewRequest& request) {
 }
 
 Value ThemeOf(const ViewRequest& request) {
-  switch (request.theme) {
-    case Theme::kDefault:
-      return std::nullopt;
-    case Theme::kColorBlind:
-      return "color-blind";
-  }
-  return std::nullopt;
+  if (request.theme == ViewRequest().theme) return std::nullopt;
+  return ToString(request.theme);
 }
 
 Value TitleOf(const ViewRequest& request) {
@@ -98,6 +101,28 @@ class Words {
   std::vector<std::string> words_;
 };
 
+/// The options of a view that pictures and films have in common.
+void AddView(const ViewRequest& request, Words* words) {
+  words->Add("--node", ValueOfId(request.node));
+  words->Add("--submap", ValueOfId(request.submap));
+  words->Add("--mark", ValueOf(request.marked));
+  words->Add("--visits", ValueOf(request.search.num_visits));
+  words->Add("--height", ValueOf(request.search.height));
+  words->Add("--angle", ValueOf(request.search.angle_index));
+  words->Add("--layers", LayersOf(request));
+  words->Add("--center", ValueOf(request.center));
+  words->Add("--width", ValueOf(request.width_in_meters));
+  words->Add("--min-height", ValueOf(request.height_in_meters));
+  words->Add("--chart", ChartOf(request));
+  words->Add("--azimuth", ValueOf(request.azimuth));
+  words->Add("--elevation", ValueOf(request.elevation));
+  words->Add("--size", SizeOf(request));
+  words->Add("--text", ValueOf(request.text_height));
+  words->Add("--theme", ThemeOf(request));
+  if (request.plain) words->Add("--plain");
+  words->Add("--title", TitleOf(request));
+}
+
 }  // namespace
 
 std::vector<std::string> RenderArguments(const std::string& run, const ViewRequest& request,
@@ -107,32 +132,29 @@ std::vector<std::string> RenderArguments(const std::string& run, const ViewReque
   words.Add(PathWord(run));
   words.Add("--view", ToString(request.view));
   words.Add("--step", ValueOf(request.step));
-  words.Add("--node", ValueOfId(request.node));
-  words.Add("--submap", ValueOfId(request.submap));
-  words.Add("--visits", ValueOf(request.search.num_visits));
-  words.Add("--height", ValueOf(request.search.height));
-  words.Add("--angle", ValueOf(request.search.angle_index));
-  words.Add("--layers", LayersOf(request));
-  words.Add("--center", ValueOf(request.center));
-  words.Add("--width", ValueOf(request.width_in_meters));
-  words.Add("--chart", ChartOf(request));
-  words.Add("--azimuth", ValueOf(request.azimuth));
-  words.Add("--elevation", ValueOf(request.elevation));
-  words.Add("--size", SizeOf(request));
-  words.Add("--text", ValueOf(request.text_height));
-  words.Add("--theme", ThemeOf(request));
-  words.Add("--title", TitleOf(request));
+  AddView(request, &words);
   words.Add("-o");
   words.Add(PathWord(output));
   return words.words();
 }
 
-std::string RenderCommandLine(const std::string& run, const ViewRequest& request,
-                              const std::string& output) {
+std::vector<std::string> FilmArguments(const std::string& run, const ViewRequest& request,
+                                       const FilmSteps& steps, const std::string& output) {
+  Words words;
+  words.Add("film");
+  words.Add(PathWord(run));
+  words.Add("--view", ToString(request.view));
+  words.Add("--steps", fmt::format("{}:{}:{}", steps.first, steps.last, steps.stride));
+  words.Add("--fps", fmt::format("{}", steps.frames_per_second));
+  AddView(request, &words);
+  words.Add("-o");
+  words.Add(PathWord(output));
+  return words.words();
+}
+
+std::string CommandLine(const std::vector<std::string>& arguments) {
   std::string line = "loopscope";
-  for (const std::string& word : RenderArguments(run, request, output)) {
-    line += " " + QuotedForShell(word);
-  }
+  for (const std::string& word : arguments) line += " " + QuotedForShell(word);
   return line;
 }
 

@@ -12,9 +12,20 @@
 
 #include "core/slam/loop_explanation.h"
 #include "core/slam/option_values.h"
+#include "render/number_text.h"
 
 namespace loopscope {
 namespace {
+
+/// An option in a few digits: 0.3491 for 0.3490658503988659, which is 20 degrees.
+ReportRow OptionValueRow(const OptionRow& row) {
+  const OptionValue value = GetValue(row);
+  const std::string unit = row.unit.empty() ? "" : " " + row.unit;
+  const std::string exact = ToText(value) + unit;
+  const auto* const number = std::get_if<double>(&value);
+  const std::string rounded = number == nullptr ? exact : fmt::format("{:.4g}", *number) + unit;
+  return {row.key, rounded.size() < exact.size() ? rounded : exact, "", true, exact};
+}
 
 }  // namespace
 
@@ -23,8 +34,8 @@ ReportRow Row(std::string name, std::string value) {
 }
 
 std::string PoseText(const Pose2& pose) {
-  return fmt::format("{:.3f} m, {:.3f} m, {:.2f} deg", pose.x(), pose.y(),
-                     RadiansToDegrees(pose.rotation));
+  return FixedText(pose.x(), 3) + " m, " + FixedText(pose.y(), 3) + " m, " +
+         FixedText(RadiansToDegrees(pose.rotation), 2) + " deg";
 }
 
 std::string DifferenceText(const Pose2& a, const Pose2& b) {
@@ -82,8 +93,7 @@ Section OptionsInForce(const Options& options, const std::vector<std::string>& p
         prefixes.begin(), prefixes.end(),
         [&](const std::string& prefix) { return row.key.compare(0, prefix.size(), prefix) == 0; });
     if (!wanted) continue;
-    section.rows.push_back(
-        Row(row.key, ToText(GetValue(row)) + (row.unit.empty() ? "" : " " + row.unit)));
+    section.rows.push_back(OptionValueRow(row));
   }
   return section;
 }

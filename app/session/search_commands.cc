@@ -10,12 +10,11 @@ namespace {
 /// Shows a part of the search: without an argument all again.
 Command PartCommand(const char* name, const char* title, const char* argument,
                     std::optional<int> SearchFilter::*part) {
-  return StateCommand(
-      {name, title, "", {}, argument, HasSteps, {}},
-      [name, part](const Session&, const std::string& text, SessionState* state) {
-        (state->search.*part).reset();
-        if (!text.empty()) state->search.*part = IntArgument(name, text);
-      });
+  return StateCommand({name, title, "", {}, argument, HasSteps, {}},
+                      [name, part](const Session&, const std::string& text, SessionState* state) {
+                        (state->search.*part).reset();
+                        if (!text.empty()) state->search.*part = IntArgument(name, text);
+                      });
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "app/session/command_groups.h"
+#include "core/io/words.h"
 #include "core/slam/state.h"
 
 namespace loopscope {
@@ -27,11 +28,30 @@ SubmapId SubmapArgument(const Session& session, double index) {
       Existing("submap", static_cast<int>(index), session.recording().submaps().size())};
 }
 
+int LoopArgument(const Session& session, const std::string& name, const std::string& argument) {
+  return Existing("loop", IntArgument(name, argument), session.recording().candidates().size());
+}
+
+/// Selects the pair of the first loop, and marks the others beside it.
+void SelectLoops(const Session& session, const std::string& argument, SessionState* state) {
+  std::vector<std::string_view> words;
+  SplitWords(argument, &words);
+  std::vector<int> loops;
+  for (const std::string_view word : words) {
+    loops.push_back(LoopArgument(session, "select.loops", std::string(word)));
+  }
+  if (loops.empty()) throw std::invalid_argument("select.loops: expected one loop at least");
+  const LoopCandidate& first = session.recording().candidates()[loops.front()];
+  state->node = first.node;
+  state->submap = first.submap;
+  state->loops.assign(loops.begin() + 1, loops.end());
+}
+
 /// Shows what is selected with some metres around it in the views of the whole map; all of the map
 /// if nothing is selected.
 void FrameSelection(const Session& session, SessionState* state) {
   constexpr double kAround = 1.6;
-  constexpr double kMinWidth = 8.0;  // [m]
+  constexpr double kMin = 6.0;  // [m]
   const MapState map = StateAfterStep(session.recording(), state->step);
   Eigen::AlignedBox2d box;
   if (state->node && state->node->index < map.num_nodes) {
@@ -44,7 +64,8 @@ void FrameSelection(const Session& session, SessionState* state) {
     auto& camera = state->views[view].camera;
     camera.reset();
     if (box.isEmpty()) continue;
-    camera = ViewCamera{box.center(), std::max(kMinWidth, kAround * 2.0 * box.sizes().maxCoeff())};
+    camera = ViewCamera{box.center(), std::max(kMin, kAround * box.sizes().x()),
+                        std::max(kMin, kAround * box.sizes().y())};
   }
 }
 
@@ -61,16 +82,15 @@ void GoToSubmap(const Session& session, const std::string& argument, SessionStat
   const Recording& recording = session.recording();
   const Submap& submap = recording.submap(*state->submap);
   const int last_node = submap.first_node.index + submap.num_nodes - 1;
-  state->step = submap.finished_step >= 0 ? submap.finished_step
-                                          : recording.node(NodeId{last_node}).step;
+  state->step =
+      submap.finished_step >= 0 ? submap.finished_step : recording.node(NodeId{last_node}).step;
   FrameSelection(session, state);
 }
 
 /// To the step at which the candidate entered the graph, or came up.
 void GoToLoop(const Session& session, const std::string& argument, SessionState* state) {
-  const auto& candidates = session.recording().candidates();
-  const int index = Existing("loop", IntArgument("go.loop", argument), candidates.size());
-  const LoopCandidate& candidate = candidates[index];
+  const int index = LoopArgument(session, "go.loop", argument);
+  const LoopCandidate& candidate = session.recording().candidates()[index];
   state->node = candidate.node;
   state->submap = candidate.submap;
   state->step = std::clamp(std::max(candidate.considered_step, candidate.applied_step), 0,
@@ -93,6 +113,7 @@ std::vector<Command> SelectionCommands() {
                        [](const Session&, const std::string&, SessionState* state) {
                          state->node.reset();
                          state->submap.reset();
+                         state->loops.clear();
                        }),
       SelectionCommand("select.node", "Select node", {}, "N",
                        [](const Session& session, const std::string& text, SessionState* state) {
@@ -111,14 +132,7 @@ std::vector<Command> SelectionCommands() {
                          state->node = NodeArgument(session, pair[0]);
                          state->submap = SubmapArgument(session, pair[1]);
                        }),
-      SelectionCommand("select.loop", "Select the pair of a loop candidate", {}, "INDEX",
-                       [](const Session& session, const std::string& text, SessionState* state) {
-                         const auto& candidates = session.recording().candidates();
-                         const int index = Existing("loop", IntArgument("select.loop", text),
-                                                    candidates.size());
-                         state->node = candidates[index].node;
-                         state->submap = candidates[index].submap;
-                       }),
+      SelectionCommand("select.loops", "Select loop candidates", {}, "INDEX ...", SelectLoops),
       SelectionCommand("go.node", "Go to node", {}, "N", GoToNode),
       SelectionCommand("go.submap", "Go to submap", {}, "M", GoToSubmap),
       SelectionCommand("go.loop", "Go to loop candidate", {}, "INDEX", GoToLoop),

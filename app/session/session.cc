@@ -19,6 +19,10 @@ bool IsInSubmap(const Recording& recording, NodeId node, SubmapId submap) {
   return first <= submap.index && submap.index < first + record.num_submaps;
 }
 
+Theme Darkened(Theme theme) {
+  return theme == Theme::kColorBlind ? Theme::kDarkColorBlind : Theme::kDark;
+}
+
 }  // namespace
 
 void Session::Load(std::string path, Recording recording) {
@@ -26,12 +30,14 @@ void Session::Load(std::string path, Recording recording) {
   recording_ = std::make_unique<Recording>(std::move(recording));
   timeline_ = Timeline();
   timeline_.Append(*recording_);
+  map_.reset();
   undone_from_.clear();
   redone_from_.clear();
   Play(false);
   state_.step = std::max(0, last_step());
   state_.node.reset();
   state_.submap.reset();
+  state_.loops.clear();
   for (auto& [kind, settings] : state_.views) settings.camera.reset();
 }
 
@@ -43,7 +49,10 @@ void Session::Append(const SlamUpdate& update) {
 }
 
 void Session::Change(const std::string& what, SessionState state) {
-  if (state.node != state_.node || state.submap != state_.submap) state.search = SearchFilter();
+  if (state.node != state_.node || state.submap != state_.submap) {
+    state.search = SearchFilter();
+    if (state.loops == state_.loops) state.loops.clear();
+  }
   if (state == state_) return;
   const bool goes_on = !undone_from_.empty() && undone_from_.back().what == what &&
                        redone_from_.empty() && !what.empty();
@@ -67,12 +76,17 @@ void Session::Redo() {
   redone_from_.pop_back();
 }
 
-ViewRequest Session::RequestOf(int tile) const {
+const MapState& Session::map() const {
   assert(has_steps());
+  if (!map_ || map_->step != state_.step) map_ = StateAfterStep(*recording_, state_.step);
+  return *map_;
+}
+
+ViewRequest Session::RequestOf(int tile) const {
   ViewRequest request;
   request.view = state_.tiles[tile];
   request.step = state_.step;
-  request.theme = state_.theme;
+  request.theme = dark_ ? Darkened(state_.theme) : state_.theme;
   if (request.view == ViewKind::kChart) request.chart = state_.chart;
   SelectForStep(&request);
   const auto settings = state_.views.find(request.view);
@@ -82,20 +96,29 @@ ViewRequest Session::RequestOf(int tile) const {
   if (settings->second.camera) {
     request.center = settings->second.camera->center;
     request.width_in_meters = settings->second.camera->width_in_meters;
+    request.height_in_meters = settings->second.camera->height_in_meters;
   }
   return request;
 }
 
 /// What is selected is the subject of a view if it was there at the step, and fits the view.
 void Session::SelectForStep(ViewRequest* request) const {
-  const MapState state = StateAfterStep(*recording_, state_.step);
+  const MapState& state = map();
   const bool has_node = state_.node && state_.node->index < state.num_nodes;
   const bool has_submap = state_.submap && state_.submap->index < state.num_submaps;
   switch (request->view) {
     case ViewKind::kMap:
     case ViewKind::kGraph:
+    case ViewKind::kTime:
+    case ViewKind::kChart:
       if (has_node) request->node = state_.node;
       if (has_submap) request->submap = state_.submap;
+      for (const int loop : state_.loops) {
+        const LoopCandidate& candidate = recording_->candidates()[loop];
+        if (loop < state.num_candidates) {
+          request->marked.push_back({candidate.node, candidate.submap});
+        }
+      }
       break;
     case ViewKind::kSubmap:
       if (has_submap) request->submap = state_.submap;
@@ -108,8 +131,6 @@ void Session::SelectForStep(ViewRequest* request) const {
       }
       break;
     case ViewKind::kMatch:
-    case ViewKind::kTime:
-    case ViewKind::kChart:
       break;
     case ViewKind::kSearch:
       request->node = state_.node;
@@ -121,13 +142,7 @@ void Session::SelectForStep(ViewRequest* request) const {
 
 std::optional<int> Session::SelectedCandidate() const {
   if (!has_recording() || !state_.node || !state_.submap) return std::nullopt;
-  const auto& candidates = recording_->candidates();
-  const auto found =
-      std::find_if(candidates.begin(), candidates.end(), [&](const LoopCandidate& candidate) {
-        return candidate.node == *state_.node && candidate.submap == *state_.submap;
-      });
-  if (found == candidates.end()) return std::nullopt;
-  return static_cast<int>(found - candidates.begin());
+  return recording_->FindCandidate(*state_.submap, *state_.node);
 }
 
 void Session::Play(bool playing) {

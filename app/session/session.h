@@ -12,6 +12,7 @@
 #include "app/session/session_state.h"
 #include "app/session/timeline.h"
 #include "core/slam/recording.h"
+#include "core/slam/state.h"
 #include "render/view.h"
 
 namespace loopscope {
@@ -37,15 +38,23 @@ class Session {
   int last_step() const { return has_recording() ? recording_->num_steps() - 1 : -1; }
 
   const SessionState& state() const { return state_; }
-  /// Replaces the state; with another pair, all of its search is shown again. Consecutive changes of the same `what`, such as steps, are undone at once.
+  /// Replaces the state; with another pair, all of its search is shown again, and loops marked
+  /// beside the former one no longer are. Consecutive changes of the same `what`, such as steps,
+  /// are undone at once.
   void Change(const std::string& what, SessionState state);
   bool can_undo() const { return !undone_from_.empty(); }
   bool can_redo() const { return !redone_from_.empty(); }
   void Undo();
   void Redo();
 
+  /// The map as it was after the step that is looked at; there must be one.
+  const MapState& map() const;
+
   /// The picture of a tile, but for its size.
   ViewRequest RequestOf(int tile) const;
+
+  /// Pictures have dark paper if the window is dark. It is no part of the state that is undone.
+  void SetDark(bool dark) { dark_ = dark; }
 
   /// The candidate of the selected pair; nothing if no pair is selected, or it never came up.
   std::optional<int> SelectedCandidate() const;
@@ -72,6 +81,8 @@ class Session {
   std::unique_ptr<Recording> recording_;
   Timeline timeline_;
   SessionState state_;
+  mutable std::optional<MapState> map_;  // derived when it is asked for
+  bool dark_ = false;
   std::vector<Past> undone_from_;
   std::vector<Past> redone_from_;
   bool playing_ = false;

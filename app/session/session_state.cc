@@ -8,7 +8,8 @@
 namespace loopscope {
 
 bool operator==(const ViewCamera& a, const ViewCamera& b) {
-  return a.center == b.center && a.width_in_meters == b.width_in_meters;
+  return a.center == b.center && a.width_in_meters == b.width_in_meters &&
+         a.height_in_meters == b.height_in_meters;
 }
 
 bool operator==(const ViewSettings& a, const ViewSettings& b) {
@@ -21,7 +22,7 @@ bool operator==(const TableSettings& a, const TableSettings& b) {
 
 bool operator==(const SessionState& a, const SessionState& b) {
   const auto fields = [](const SessionState& s) {
-    return std::tie(s.step, s.tiles, s.active_tile, s.node, s.submap, s.search.num_visits,
+    return std::tie(s.step, s.tiles, s.active_tile, s.node, s.submap, s.loops, s.search.num_visits,
                     s.search.height, s.search.angle_index, s.chart, s.views, s.tables, s.theme);
   };
   return fields(a) == fields(b);

@@ -17,8 +17,9 @@ namespace loopscope {
 
 /// What a view shows of its map.
 struct ViewCamera {
-  Eigen::Vector2d center;        ///< [m] in the frame of the view
-  double width_in_meters = 1.0;  ///< of the main panel
+  Eigen::Vector2d center;                                 ///< [m] in the frame of the view
+  double width_in_meters = 1.0;                           ///< of the main panel
+  std::optional<double> height_in_meters = std::nullopt;  ///< with it, the least of both
 };
 bool operator==(const ViewCamera& a, const ViewCamera& b);
 
@@ -51,13 +52,14 @@ struct SessionState {
   int active_tile = 0;
   std::optional<NodeId> node;            ///< selected,
   std::optional<SubmapId> submap;        ///< likewise; with both, the pair of them
+  std::vector<int> loops;                ///< candidates that are marked beside it
   SearchFilter search;                   ///< of the search of the pair
   ChartKind chart = ChartKind::kScores;  ///< what the view chart shows
   std::map<ViewKind, ViewSettings> views;
   /// Most pairs are skipped by sampling: they are not listed unless asked for.
   std::map<TableKind, TableSettings> tables{
       {TableKind::kLoops, {"verdict != \"not sampled\"", "", false}}};
-  Theme theme = Theme::kDefault;  ///< of the pictures
+  Theme theme = Theme::kDefault;  ///< hues of the pictures: this or kColorBlind
 };
 bool operator==(const SessionState& a, const SessionState& b);
 inline bool operator!=(const SessionState& a, const SessionState& b) { return !(a == b); }

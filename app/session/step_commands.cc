@@ -42,21 +42,36 @@ Command SeekEvent(const char* name, const char* title, std::vector<std::string> 
 }
 
 Command Play() {
-  return {"play.toggle", "Play or pause", "Step", {"Space"}, "", HasSteps,
+  return {"play.toggle",
+          "Play or pause",
+          "Step",
+          {"Space"},
+          "",
+          HasSteps,
           [](Session* session, SessionHost*, const std::string&) {
             session->Play(!session->playing());
           }};
 }
 
 Command Speed() {
-  return {"play.speed", "Scans per second", "", {}, "N", Always,
+  return {"play.speed",
+          "Scans per second",
+          "",
+          {},
+          "N",
+          Always,
           [](Session* session, SessionHost*, const std::string& argument) {
             session->SetSpeed(NumberArgument("play.speed", argument));
           }};
 }
 
 Command PauseToggle(const char* name, const char* title, bool PauseConditions::*condition) {
-  return {name, title, "Step", {}, "", Always,
+  return {name,
+          title,
+          "Step",
+          {},
+          "",
+          Always,
           [condition](Session* session, SessionHost*, const std::string&) {
             PauseConditions conditions = session->pause_conditions();
             conditions.*condition = !(conditions.*condition);
@@ -65,8 +80,13 @@ Command PauseToggle(const char* name, const char* title, bool PauseConditions::*
 }
 
 Command PauseOnResidual() {
-  return {"pause.residual", "Pause on a loop with a residual above [m] (none: never)", "", {}, "X",
-          Always, [](Session* session, SessionHost*, const std::string& argument) {
+  return {"pause.residual",
+          "Pause on a loop with a residual above [m] (none: never)",
+          "",
+          {},
+          "X",
+          Always,
+          [](Session* session, SessionHost*, const std::string& argument) {
             PauseConditions conditions = session->pause_conditions();
             conditions.residual_above.reset();
             if (!argument.empty()) {
@@ -96,11 +116,12 @@ std::vector<Command> StepCommands() {
            [](const Session& session, const auto&) { return session.last_step(); }),
       Seek("step.forward", "100 scans forward", {"PgDown"}, by(100)),
       Seek("step.back", "100 scans back", {"PgUp"}, by(-100)),
-      Seek("step.seek", "Go to scan", {},
-           [](const auto&, const std::string& argument) {
-             return IntArgument("step.seek", argument);
-           },
-           "N"),
+      Seek(
+          "step.seek", "Go to scan", {},
+          [](const auto&, const std::string& argument) {
+            return IntArgument("step.seek", argument);
+          },
+          "N"),
       SeekEvent("event.next", "Next event", {"Ctrl+Right"}, kAllKinds, true),
       SeekEvent("event.previous", "Previous event", {"Ctrl+Left"}, kAllKinds, false),
       SeekEvent("event.next_loop", "Next closed loop", {"L"}, closed, true),

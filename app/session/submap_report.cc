@@ -4,9 +4,9 @@
 
 #include "app/session/inspection_report.h"
 #include "app/session/report_rows.h"
-#include "render/views/selection.h"
 #include "core/slam/derive.h"
 #include "core/slam/loop_explanation.h"
+#include "render/views/selection.h"
 
 namespace loopscope {
 namespace {

@@ -30,6 +30,11 @@ Actions::Actions(QMainWindow* window, const RunLine& run) {
   MakeIcons();
 }
 
+void Actions::AddToViewMenu(const QList<QAction*>& actions) {
+  menus_.at("View")->addSeparator();
+  menus_.at("View")->addActions(actions);
+}
+
 void Actions::Show(const Session& session) {
   for (const Command& command : Commands()) {
     const auto action = actions_.find(command.name);

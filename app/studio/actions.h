@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <map>
-#include <string>
-
 #include <QAction>
 #include <QMainWindow>
 #include <QMenu>
+#include <map>
+#include <string>
 
 #include "app/session/commands.h"
-#include "app/studio/tile.h"
+#include "app/studio/run_line.h"
 
 namespace loopscope {
 
@@ -23,10 +22,8 @@ class Actions {
   QAction* of(const std::string& command) const { return actions_.at(command); }
 
   /// Adds what is no command: the docks, and the recent files.
-  void AddToWindowMenu(QAction* action) { menus_.at("Window")->addAction(action); }
-  void AddToFileMenu(QMenu* menu) {
-    menus_.at("File")->insertMenu(actions_.at("file.demo"), menu);
-  }
+  void AddToViewMenu(const QList<QAction*>& actions);
+  void AddToFileMenu(QMenu* menu) { menus_.at("File")->insertMenu(actions_.at("file.demo"), menu); }
 
   /// Which of them are possible now.
   void Show(const Session& session);

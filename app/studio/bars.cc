@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QMenu>
 #include <QWidgetAction>
+
 #include <fmt/format.h>
 
 #include "app/studio/theme.h"
@@ -14,8 +15,9 @@
 namespace loopscope {
 
 MessageBar::MessageBar(QWidget* parent) : QFrame(parent), text_(new QLabel(this)) {
-  setStyleSheet("loopscope--MessageBar { background: #fff3cd; border-bottom: 1px solid #e0c66c; }"
-                "QLabel { color: #4a3b00; } QToolButton { border: none; color: #4a3b00; }");
+  setStyleSheet(
+      "loopscope--MessageBar { background: #fff3cd; border-bottom: 1px solid #e0c66c; }"
+      "QLabel { color: #4a3b00; } QToolButton { border: none; color: #4a3b00; }");
   text_->setWordWrap(true);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* const close = new QToolButton(this);
@@ -33,15 +35,16 @@ void MessageBar::Tell(const QString& text) {
   setVisible(!text.isEmpty());
 }
 
-MappingBar::MappingBar(const RunLine& run, QWidget* parent)
+WorkBar::WorkBar(const RunLine& run, const char* stop_command, const char* tool_tip,
+                 QWidget* parent)
     : QWidget(parent), text_(new QLabel(this)), bar_(new QProgressBar(this)) {
   bar_->setFixedWidth(180);
   bar_->setTextVisible(false);
   bar_->setFixedHeight(10);
   auto* const stop = new QToolButton(this);
   stop->setText("Stop");
-  stop->setToolTip("Stop mapping; what was mapped until now stays");
-  connect(stop, &QToolButton::clicked, this, [run] { run("file.stop_mapping"); });
+  stop->setToolTip(tool_tip);
+  connect(stop, &QToolButton::clicked, this, [run, stop_command] { run(stop_command); });
   auto* const row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(text_);
@@ -50,29 +53,29 @@ MappingBar::MappingBar(const RunLine& run, QWidget* parent)
   hide();
 }
 
-void MappingBar::Show(const MappingProgress& progress, double seconds) {
-  bar_->setMaximum(std::max(1, progress.num_scans));
-  bar_->setValue(progress.num_steps);
+void WorkBar::Show(const QString& text, int done, int total) {
+  text_->setText(text);
+  bar_->setMaximum(total);
+  bar_->setValue(done);
+  show();
+}
+
+QString TextOf(const MappingProgress& progress, double seconds) {
   const double rate = seconds > 0.0 ? progress.num_steps / seconds : 0.0;
-  text_->setText(QString::fromStdString(
-      fmt::format("Mapping: {} of {} scans, {} submaps, {} loops, {:.0f} scans/s",
-                  progress.num_steps, progress.num_scans, progress.num_submaps, progress.num_loops,
-                  rate)));
+  return QString::fromStdString(fmt::format(
+      "Mapping: {} of {} scans, {} submaps, {} loops, {:.0f} scans/s", progress.num_steps,
+      progress.num_scans, progress.num_submaps, progress.num_loops, rate));
 }
 
 PlayBar::PlayBar(RunLine run, QWidget* parent)
-    : QWidget(parent),
-      run_(std::move(run)),
-      step_(new QLabel(this)),
-      speed_(new QComboBox(this)) {
+    : QWidget(parent), run_(std::move(run)), step_(new QLabel(this)), speed_(new QComboBox(this)) {
   for (const int speed : {1, 5, 20, 50, 100, 200, 500, 1000}) {
     speed_->addItem(QString("%1 scans/s").arg(speed), speed);
   }
   speed_->setFocusPolicy(Qt::NoFocus);
   speed_->setToolTip("How fast it plays");
-  connect(speed_, QOverload<int>::of(&QComboBox::activated), this, [this](int i) {
-    run_("play.speed " + std::to_string(speed_->itemData(i).toInt()));
-  });
+  connect(speed_, QOverload<int>::of(&QComboBox::activated), this,
+          [this](int i) { run_("play.speed " + std::to_string(speed_->itemData(i).toInt())); });
   auto* const row = new QHBoxLayout(this);
   row->setContentsMargins(6, 0, 6, 0);
   row->addWidget(speed_);
@@ -121,9 +124,9 @@ void PlayBar::Show(const Session& session) {
   }
   const auto& scans = session.recording().log().scans;
   const int step = session.state().step;
-  step_->setText(QString::fromStdString(fmt::format("scan <b>{}</b> of {} · {:.1f} s", step,
-                                                    scans.size() - 1,
-                                                    scans[step].time - scans[0].time)));
+  step_->setText(
+      QString::fromStdString(fmt::format("scan <b>{}</b> of {} · {:.1f} s", step, scans.size() - 1,
+                                         scans[step].time - scans[0].time)));
 }
 
 }  // namespace loopscope

@@ -9,7 +9,7 @@
 
 #include "app/mapping.h"
 #include "app/session/session.h"
-#include "app/studio/tile.h"
+#include "app/studio/run_line.h"
 
 class QDoubleSpinBox;
 class QComboBox;
@@ -30,19 +30,25 @@ class MessageBar : public QFrame {
   QLabel* text_;
 };
 
-/// How far mapping is, and a button that stops it.
-class MappingBar : public QWidget {
+/// How far long work is, and a button that stops it.
+class WorkBar : public QWidget {
   Q_OBJECT
 
  public:
-  explicit MappingBar(const RunLine& run, QWidget* parent = nullptr);
+  /// The button has a tool tip, and runs a command.
+  WorkBar(const RunLine& run, const char* stop_command, const char* tool_tip,
+          QWidget* parent = nullptr);
 
-  void Show(const MappingProgress& progress, double seconds);
+  /// `done` of `total` parts of the work; a `total` of 0: nobody knows.
+  void Show(const QString& text, int done, int total);
 
  private:
   QLabel* text_;
   QProgressBar* bar_;
 };
+
+/// "Mapping: 120 of 900 scans, 3 submaps, 1 loops, 85 scans/s"
+QString TextOf(const MappingProgress& progress, double seconds);
 
 /// Which step is looked at, how fast it plays, and what it pauses at.
 class PlayBar : public QWidget {

@@ -7,34 +7,52 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QSpinBox>
+#include <string>
+#include <vector>
 
-#include "render/view.h"
+#include "app/session/session.h"
 
 namespace loopscope {
 
-/// Asks for size and file of a picture, and shows the command line that draws it.
+/// Asks for size and file of a picture, or of a film of it over some steps, and shows the command
+/// line that makes it.
 class ExportDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// The picture of `request` of the recording in the file `run`.
-  ExportDialog(const ViewRequest& request, std::string run, QWidget* parent);
+  /// Exports the picture of `request` of the recording of `session`.
+  ExportDialog(const ViewRequest& request, const Session& session, QWidget* parent);
 
-  /// With the size that was chosen.
-  ViewRequest request() const;
+  /// What the program is to be run with. Throws as RenderArguments does.
+  std::vector<std::string> arguments() const;
   QString path() const { return path_->text(); }
 
  private:
+  QLayout* MakeSizeRow();
+  QWidget* MakeStepsRow(const Session& session);
+  QLayout* MakeFileRow();
+  QWidget* MakeButtons();
+  void ConnectRows();
+
+  bool is_film() const { return what_->currentIndex() == 1; }
+  ViewRequest RequestOfSize() const;
   QString DefaultPath() const;
   void ChoosePath();
+  void ShowKind();
   void ShowCommandLine();
 
   ViewRequest request_;
   std::string run_;
-  QSpinBox* width_;
-  QSpinBox* height_;
-  QLineEdit* path_;
-  QPlainTextEdit* command_line_;
+  QComboBox* what_ = nullptr;
+  QSpinBox* width_ = nullptr;
+  QSpinBox* height_ = nullptr;
+  QWidget* steps_ = nullptr;
+  QSpinBox* first_ = nullptr;
+  QSpinBox* last_ = nullptr;
+  QSpinBox* stride_ = nullptr;
+  QSpinBox* frames_per_second_ = nullptr;
+  QLineEdit* path_ = nullptr;
+  QPlainTextEdit* command_line_ = nullptr;
 };
 
 }  // namespace loopscope

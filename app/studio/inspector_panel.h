@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
-
 #include <QTreeWidget>
+#include <optional>
 
 #include "app/session/session.h"
 #include "app/studio/scene_worker.h"

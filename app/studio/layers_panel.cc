@@ -4,6 +4,7 @@
 
 #include <QHeaderView>
 #include <QSlider>
+
 #include <fmt/format.h>
 
 namespace loopscope {
@@ -19,8 +20,7 @@ double OpacityOf(const ViewSettings& settings, LayerKind layer) {
 
 }  // namespace
 
-LayersPanel::LayersPanel(RunLine run, QWidget* parent)
-    : QTreeWidget(parent), run_(std::move(run)) {
+LayersPanel::LayersPanel(RunLine run, QWidget* parent) : QTreeWidget(parent), run_(std::move(run)) {
   setColumnCount(kNumColumns);
   setHeaderLabels({"layer", "opacity"});
   setRootIsDecorated(false);

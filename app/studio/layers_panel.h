@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QTreeWidget>
 #include <optional>
 
-#include <QTreeWidget>
-
 #include "app/session/session.h"
-#include "app/studio/tile.h"
+#include "app/studio/run_line.h"
 
 namespace loopscope {
 

@@ -2,25 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/studio/main_window.h"
 
-#include <stdexcept>
-
 #include <QApplication>
 #include <QClipboard>
 #include <QCloseEvent>
-#include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QGridLayout>
 #include <QLabel>
-#include <QMenu>
-#include <QMenuBar>
 #include <QMimeData>
-#include <QPushButton>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QVBoxLayout>
+#include <stdexcept>
 
 #include "app/session/render_command_line.h"
 #include "app/studio/bars.h"
@@ -29,6 +24,8 @@
 #include "app/studio/layers_panel.h"
 #include "app/studio/options_dialog.h"
 #include "app/studio/palette_dialog.h"
+#include "app/studio/recent_files.h"
+#include "app/studio/start_page.h"
 #include "app/studio/table_panel.h"
 #include "app/studio/theme.h"
 #include "app/studio/timeline_widget.h"
@@ -39,6 +36,7 @@ namespace {
 constexpr int kMaxTiles = 4;
 constexpr int kTickMilliseconds = 30;
 constexpr int kPanelsMilliseconds = 150;
+constexpr int kLayoutVersion = 2;  // counts changes of what docks and bars there are
 
 RunLine RunIn(MainWindow* window) {
   return [window](const std::string& line) { window->Run(line); };
@@ -46,7 +44,7 @@ RunLine RunIn(MainWindow* window) {
 
 }  // namespace
 
-MainWindow::MainWindow() {
+MainWindow::MainWindow() : docks_(this) {
   setWindowTitle("Loopscope");
   setAcceptDrops(true);
   resize(1280, 800);
@@ -54,24 +52,11 @@ MainWindow::MainWindow() {
   setCentralWidget(MakeCentral());
   MakeToolBar();
   MakeDocks();
-  pointer_ = new QLabel(this);
-  mapping_bar_ = new MappingBar(RunIn(this), this);
-  statusBar()->addWidget(pointer_, 1);
-  statusBar()->addPermanentWidget(mapping_bar_);
+  MakeStatusBar();
+  MakeTimers();
   connect(&worker_, &SceneWorker::Drawn, this, [this](int tile) { tiles_[tile]->TakeScene(); });
-  connect(&play_timer_, &QTimer::timeout, this, &MainWindow::Tick);
-  play_timer_.setInterval(kTickMilliseconds);
-  connect(&panels_timer_, &QTimer::timeout, this, &MainWindow::RefreshPanels);
-  panels_timer_.setSingleShot(true);
-  panels_timer_.setInterval(kPanelsMilliseconds);
-  connect(&export_, QOverload<int, QProcess::ExitStatus>::of(&QProcess::finished), this,
-          &MainWindow::EndExport);
-  connect(&export_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
-    if (error != QProcess::FailedToStart) return;
-    pointer_->clear();
-    message_bar_->Tell("The picture was not drawn: " + export_.program() + " cannot be run.");
-  });
   ConnectOpener();
+  ConnectExporter();
   Restore();
   Refresh();
 }
@@ -79,24 +64,26 @@ MainWindow::MainWindow() {
 // Docks tell when they are hidden, to which the window listens as long as it is whole.
 MainWindow::~MainWindow() { hide(); }
 
-QWidget* MainWindow::MakeCentral() {
-  pages_ = new QStackedWidget(this);
-  pages_->addWidget(MakeStart());
+QWidget* MainWindow::MakeTiles() {
   auto* const tiles = new QWidget(this);
   grid_ = new QGridLayout(tiles);
   grid_->setContentsMargins(0, 0, 0, 0);
   grid_->setSpacing(1);
   for (int i = 0; i < kMaxTiles; ++i) {
     tiles_.push_back(new Tile(i, &worker_, RunIn(this), tiles));
-    connect(tiles_[i], &Tile::Pointed, this, [this](const QString& text) {
-      pointer_->setText(text);
-    });
+    connect(tiles_[i], &Tile::Pointed, this,
+            [this](const QString& text) { pointer_->setText(text); });
     connect(tiles_[i]->view(), &ViewWidget::Resized, this, [this, i] {
       if (static_cast<std::size_t>(i) < num_tiles_shown_) tiles_[i]->Show(session_);
     });
   }
-  pages_->addWidget(tiles);
+  return tiles;
+}
 
+QWidget* MainWindow::MakeCentral() {
+  pages_ = new QStackedWidget(this);
+  pages_->addWidget(new StartPage(RunIn(this), this));
+  pages_->addWidget(MakeTiles());
   message_bar_ = new MessageBar(this);
   timeline_ = new TimelineWidget(this);
   connect(timeline_, &TimelineWidget::Sought, this,
@@ -109,29 +96,6 @@ QWidget* MainWindow::MakeCentral() {
   column->addWidget(pages_, 1);
   column->addWidget(timeline_);
   return central;
-}
-
-/// What a window says that shows nothing yet.
-QWidget* MainWindow::MakeStart() {
-  auto* const page = new QWidget(this);
-  auto* const title = new QLabel("<h2>Why did that loop close, or not?</h2>"
-                                 "<p>Open a scan log to map it, or a recording of a run.<br>"
-                                 "You can also drop a file onto this window.</p>");
-  title->setAlignment(Qt::AlignCenter);
-  auto* const open = new QPushButton("Open a log or recording…");
-  auto* const demo = new QPushButton("Try the demo");
-  open->setDefault(true);
-  for (QPushButton* const button : {open, demo}) button->setMinimumSize(220, 36);
-  connect(open, &QPushButton::clicked, this, [this] { Run("file.open"); });
-  connect(demo, &QPushButton::clicked, this, [this] { Run("file.demo"); });
-  auto* const column = new QVBoxLayout(page);
-  column->addStretch();
-  column->addWidget(title);
-  column->addSpacing(12);
-  column->addWidget(open, 0, Qt::AlignCenter);
-  column->addWidget(demo, 0, Qt::AlignCenter);
-  column->addStretch();
-  return page;
 }
 
 void MainWindow::MakeToolBar() {
@@ -158,66 +122,69 @@ void MainWindow::MakeToolBar() {
   add({"help.palette"});
 }
 
-QDockWidget* MainWindow::AddDock(const char* title, QWidget* content, Qt::DockWidgetArea area) {
-  auto* const dock = new QDockWidget(title, this);
-  dock->setObjectName(title);
-  dock->setWidget(content);
-  dock->setTitleBarWidget(new QWidget(dock));  // its tab says what it is
-  addDockWidget(area, dock);
-  actions_->AddToWindowMenu(dock->toggleViewAction());
-  return dock;
-}
-
 void MainWindow::MakeDocks() {
   setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   layers_ = new LayersPanel(RunIn(this), this);
   inspector_ = new InspectorPanel(&worker_, this);
-  QDockWidget* const inspector = AddDock("Inspector", inspector_, Qt::RightDockWidgetArea);
-  QDockWidget* const layers = AddDock("Layers", layers_, Qt::RightDockWidgetArea);
-  tabifyDockWidget(inspector, layers);
-  QDockWidget* first = nullptr;
-  for (const auto& [kind, title] : {std::pair(TableKind::kLoops, "Loops"),
-                                    std::pair(TableKind::kSubmaps, "Submaps"),
-                                    std::pair(TableKind::kNodes, "Nodes")}) {
+  QDockWidget* const inspector = docks_.Add("Inspector", inspector_, Qt::RightDockWidgetArea);
+  docks_.Add("Layers", layers_, Qt::RightDockWidgetArea);
+  MakeTables(inspector);
+  docks_.Arrange();
+  QList<QAction*> toggles;
+  for (QDockWidget* const dock : docks_.all()) {
+    toggles.append(dock->toggleViewAction());
+    connect(dock, &QDockWidget::visibilityChanged, this, [this] { Refresh(); });
+  }
+  actions_->AddToViewMenu(toggles);
+}
+
+void MainWindow::MakeTables(QDockWidget* inspector) {
+  for (const auto& [kind, title] :
+       {std::pair(TableKind::kLoops, "Loops"), std::pair(TableKind::kSubmaps, "Submaps"),
+        std::pair(TableKind::kNodes, "Nodes")}) {
     tables_.push_back(new TablePanel(kind, RunIn(this), this));
-    QDockWidget* const dock = AddDock(title, tables_.back(), Qt::BottomDockWidgetArea);
-    connect(dock, &QDockWidget::visibilityChanged, this, [this] { Refresh(); });
+    QDockWidget* const dock = docks_.Add(title, tables_.back(), Qt::BottomDockWidgetArea);
     connect(tables_.back(), &TablePanel::SelectionActivated, inspector, &QWidget::raise);
-    if (first != nullptr) tabifyDockWidget(first, dock);
-    if (first == nullptr) first = dock;
+    if (kind != TableKind::kLoops) continue;
+    for (Tile* const tile : tiles_) connect(tile, &Tile::Listed, dock, &QWidget::raise);
   }
-  first->raise();
-  inspector->raise();
-  for (QDockWidget* const dock : {inspector, layers}) {
-    connect(dock, &QDockWidget::visibilityChanged, this, [this] { Refresh(); });
-  }
-  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  resizeDocks({inspector}, {380}, Qt::Horizontal);
-  resizeDocks({first}, {210}, Qt::Vertical);
+}
+
+void MainWindow::MakeStatusBar() {
+  pointer_ = new QLabel(this);
+  opening_bar_ =
+      new WorkBar(RunIn(this), "file.stop_mapping", "Stop; what was mapped until now stays", this);
+  export_bar_ =
+      new WorkBar(RunIn(this), "file.stop_export", "Stop; what was filmed until now stays", this);
+  statusBar()->addWidget(pointer_, 1);
+  statusBar()->addPermanentWidget(export_bar_);
+  statusBar()->addPermanentWidget(opening_bar_);
+}
+
+void MainWindow::MakeTimers() {
+  connect(&play_timer_, &QTimer::timeout, this, &MainWindow::Tick);
+  play_timer_.setInterval(kTickMilliseconds);
+  connect(&panels_timer_, &QTimer::timeout, this, &MainWindow::RefreshPanels);
+  panels_timer_.setSingleShot(true);
+  panels_timer_.setInterval(kPanelsMilliseconds);
 }
 
 void MainWindow::ConnectOpener() {
   connect(&opener_, &RunOpener::Reading, this,
-          [this](const QString& path) { pointer_->setText("Reading " + path + " …"); });
+          [this](const QString& path) { opening_bar_->Show("Reading " + path, 0, 0); });
+  connect(&opener_, &RunOpener::HasRead, this,
+          [this](const std::string& path) { recent_->Add(path); });
   connect(&opener_, &RunOpener::Opened, this,
           [this](const std::string& path, const std::shared_ptr<Recording>& recording) {
-            worker_.Load(*recording);
-            session_.Load(path, *recording);
-            for (Tile* const tile : tiles_) tile->Forget();
-            for (TablePanel* const table : tables_) table->Forget();
-            inspector_->Forget();
-            message_bar_->Tell("");
-            pointer_->clear();
-            setWindowTitle(QString::fromStdString(recording->log().name + " – " + path) +
-                           " – Loopscope");
-            Refresh();
+            Load(path, *recording);
           });
   connect(&opener_, &RunOpener::Grown, this, [this](const std::vector<SlamUpdate>& updates) {
     for (const SlamUpdate& update : updates) {
       worker_.Append(update);
       session_.Append(update);
     }
-    mapping_bar_->Show(opener_.progress(), opener_.seconds());
+    ShowMapping();
     Refresh();
   });
   connect(&opener_, &RunOpener::Mapped, this, [this](const QString& summary) {
@@ -225,9 +192,47 @@ void MainWindow::ConnectOpener() {
     Refresh();
   });
   connect(&opener_, &RunOpener::Failed, this, [this](const QString& message) {
-    pointer_->clear();
     message_bar_->Tell(message);
+    Refresh();
   });
+}
+
+void MainWindow::ConnectExporter() {
+  connect(&exporter_, &Exporter::Progressed, this,
+          [this](int percent) { export_bar_->Show("Filming", percent, 100); });
+  connect(&exporter_, &Exporter::Ended, this, [this](const QString& summary) {
+    pointer_->setText(summary);
+    export_bar_->hide();
+  });
+  connect(&exporter_, &Exporter::Failed, this,
+          [this](const QString& message) { message_bar_->Tell(message); });
+}
+
+void MainWindow::Restore() {
+  const QSettings settings;
+  restoreGeometry(settings.value("geometry").toByteArray());
+  restoreState(settings.value("layout").toByteArray(), kLayoutVersion);
+  session_.SetDark(settings.value("theme").toString() == "dark");
+  recent_ = new RecentFiles(RunIn(this), this);
+  actions_->AddToFileMenu(recent_);
+}
+
+void MainWindow::Load(const std::string& path, const Recording& recording) {
+  worker_.Load(recording);
+  session_.Load(path, recording);
+  for (Tile* const tile : tiles_) tile->Forget();
+  for (TablePanel* const table : tables_) table->Forget();
+  inspector_->Forget();
+  message_bar_->Tell("");
+  pointer_->clear();
+  setWindowTitle(QString::fromStdString(recording.log().name + " – " + path) + " – Loopscope");
+  Refresh();
+}
+
+void MainWindow::ShowMapping() {
+  const MappingProgress progress = opener_.progress();
+  opening_bar_->Show(TextOf(progress, opener_.seconds()), progress.num_steps,
+                     std::max(1, progress.num_scans));
 }
 
 void MainWindow::Run(const std::string& line) {
@@ -241,16 +246,22 @@ void MainWindow::Run(const std::string& line) {
 
 bool MainWindow::IsIdle() const {
   return !opener_.IsReading() && !opener_.IsMapping() && worker_.IsIdle() &&
-         export_.state() == QProcess::NotRunning && !panels_timer_.isActive();
+         !exporter_.IsRunning() && !panels_timer_.isActive();
+}
+
+std::string MainWindow::message() const {
+  return message_bar_->isHidden() ? "" : message_bar_->text().toStdString();
 }
 
 /// Shows the session as it is now in every part of the window.
 void MainWindow::Refresh() {
+  const bool is_opening = opener_.IsReading() || opener_.IsMapping();
   pages_->setCurrentIndex(session_.has_recording() ? 1 : 0);
   timeline_->setVisible(session_.has_recording());
-  mapping_bar_->setVisible(opener_.IsMapping());
+  if (!is_opening) opening_bar_->hide();
   actions_->Show(session_);
-  actions_->of("file.stop_mapping")->setEnabled(opener_.IsMapping());
+  actions_->of("file.stop_mapping")->setEnabled(is_opening);
+  actions_->of("file.stop_export")->setEnabled(exporter_.IsRunning());
   actions_->of("play.toggle")->setIcon(IconOf(session_.playing() ? "play.pause" : "play.toggle"));
   ArrangeTiles();
   timeline_->Show(session_);
@@ -273,21 +284,26 @@ void MainWindow::ArrangeTiles() {
   const std::size_t count = session_.state().tiles.size();
   if (count != num_tiles_shown_) {
     num_tiles_shown_ = count;
-    for (const int i : {0, 1}) {
-      grid_->setRowStretch(i, 0);
-      grid_->setColumnStretch(i, 0);
-    }
-    for (std::size_t i = 0; i < tiles_.size(); ++i) {
-      grid_->removeWidget(tiles_[i]);
-      tiles_[i]->setVisible(i < count);
-      if (i >= count) continue;
-      const int row = static_cast<int>(i) / 2, column = static_cast<int>(i) % 2;
-      grid_->addWidget(tiles_[i], row, column);
-      grid_->setRowStretch(row, 1);
-      grid_->setColumnStretch(column, 1);
-    }
+    PlaceTiles();
   }
   for (std::size_t i = 0; i < count; ++i) tiles_[i]->Show(session_);
+}
+
+/// As many tiles as are shown, in rows of two.
+void MainWindow::PlaceTiles() {
+  for (const int i : {0, 1}) {
+    grid_->setRowStretch(i, 0);
+    grid_->setColumnStretch(i, 0);
+  }
+  for (std::size_t i = 0; i < tiles_.size(); ++i) {
+    grid_->removeWidget(tiles_[i]);
+    tiles_[i]->setVisible(i < num_tiles_shown_);
+    if (i >= num_tiles_shown_) continue;
+    const int row = static_cast<int>(i) / 2, column = static_cast<int>(i) % 2;
+    grid_->addWidget(tiles_[i], row, column);
+    grid_->setRowStretch(row, 1);
+    grid_->setColumnStretch(column, 1);
+  }
 }
 
 void MainWindow::Tick() {
@@ -300,12 +316,10 @@ void MainWindow::Open(const std::string& path) {
   QString file = QString::fromStdString(path);
   if (file.isEmpty()) {
     file = QFileDialog::getOpenFileName(
-        this, "Open a log or a recording", QString(),
+        this, "Open a log or a recording", RecentFiles::Folder(),
         "Logs and recordings (*.log *.clf *.gz *.loopscope);;All files (*)");
   }
-  if (file.isEmpty()) return;
-  Remember(file.toStdString());
-  opener_.Open(file.toStdString(), LoopscopePreset());
+  if (!file.isEmpty()) opener_.Open(file.toStdString(), LoopscopePreset());
 }
 
 void MainWindow::OpenDemo() { opener_.Open(LOOPSCOPE_DEMO_LOG, LoopscopePreset()); }
@@ -316,7 +330,7 @@ void MainWindow::MapAgain() {
   opener_.Map(session_.recording().log(), dialog.options(), session_.path());
 }
 
-void MainWindow::StopMapping() { opener_.StopMapping(); }
+void MainWindow::StopMapping() { opener_.Stop(); }
 
 ViewRequest MainWindow::PictureOfActiveTile() const {
   const int tile = session_.state().active_tile;
@@ -326,39 +340,24 @@ ViewRequest MainWindow::PictureOfActiveTile() const {
 void MainWindow::Export(const std::string& path) {
   const ViewRequest request = PictureOfActiveTile();
   if (!path.empty()) {
-    StartExport(request, QString::fromStdString(path));
+    StartExport(RenderArguments(session_.path(), request, path), QString::fromStdString(path));
     return;
   }
-  ExportDialog dialog(request, session_.path(), this);
-  if (dialog.exec() == QDialog::Accepted) StartExport(dialog.request(), dialog.path());
+  ExportDialog dialog(request, session_, this);
+  if (dialog.exec() == QDialog::Accepted) StartExport(dialog.arguments(), dialog.path());
 }
 
-/// Runs the very command that the window tells: what is exported is what it draws.
-void MainWindow::StartExport(const ViewRequest& request, const QString& path) {
-  if (export_.state() != QProcess::NotRunning) {
-    message_bar_->Tell("The picture before is still being drawn.");
-    return;
-  }
-  QStringList arguments;
-  for (const std::string& argument :
-       RenderArguments(session_.path(), request, path.toStdString())) {
-    arguments.append(QString::fromStdString(argument));
-  }
-  pointer_->setText("Drawing " + path + " …");
-  export_.start(QApplication::applicationDirPath() + "/loopscope", arguments);
+void MainWindow::StartExport(const std::vector<std::string>& arguments, const QString& path) {
+  export_bar_->Show("Drawing " + path, 0, 0);
+  exporter_.Start(arguments);
 }
 
-void MainWindow::EndExport(int exit_code, QProcess::ExitStatus status) {
-  const QString error = QString::fromUtf8(export_.readAllStandardError()).trimmed();
-  pointer_->setText(QString::fromUtf8(export_.readAllStandardOutput()).trimmed());
-  if (exit_code == 0 && status == QProcess::NormalExit) return;
-  message_bar_->Tell(error.isEmpty() ? "The picture was not drawn: loopscope crashed." : error);
-}
+void MainWindow::StopExport() { exporter_.Stop(); }
 
 void MainWindow::CopyCommandLine() {
   const ViewRequest request = PictureOfActiveTile();
   const std::string line =
-      RenderCommandLine(session_.path(), request, ToString(request.view) + ".png");
+      CommandLine(RenderArguments(session_.path(), request, ToString(request.view) + ".png"));
   QApplication::clipboard()->setText(QString::fromStdString(line));
   pointer_->setText(QString::fromStdString("Copied: " + line));
 }
@@ -371,16 +370,15 @@ void MainWindow::ShowPalette() {
   dialog->show();
 }
 
-std::string MainWindow::message() const {
-  return message_bar_->isHidden() ? "" : message_bar_->text().toStdString();
-}
-
 void MainWindow::SetWindowTheme(const std::string& name) {
   const QString theme = QString::fromStdString(name);
   ApplyWindowTheme(theme);
   QSettings().setValue("theme", theme);
+  session_.SetDark(name == "dark");
   actions_->MakeIcons();
 }
+
+void MainWindow::ResetLayout() { docks_.Arrange(); }
 
 void MainWindow::Quit() { close(); }
 
@@ -396,38 +394,10 @@ void MainWindow::dropEvent(QDropEvent* event) {
 void MainWindow::closeEvent(QCloseEvent* event) {
   QSettings settings;
   settings.setValue("geometry", saveGeometry());
-  settings.setValue("layout", saveState());
-  opener_.StopMapping();
+  settings.setValue("layout", saveState(kLayoutVersion));
+  opener_.Stop();
+  exporter_.Stop();
   QMainWindow::closeEvent(event);
-}
-
-void MainWindow::Restore() {
-  const QSettings settings;
-  restoreGeometry(settings.value("geometry").toByteArray());
-  restoreState(settings.value("layout").toByteArray());
-  recent_ = new QMenu("Open recent", this);
-  actions_->AddToFileMenu(recent_);
-  FillRecent();
-}
-
-void MainWindow::Remember(const std::string& path) {
-  constexpr int kMaxRecent = 10;
-  QSettings settings;
-  QStringList recent = settings.value("recent").toStringList();
-  const QString file = QFileInfo(QString::fromStdString(path)).absoluteFilePath();
-  recent.removeAll(file);
-  recent.prepend(file);
-  while (recent.size() > kMaxRecent) recent.removeLast();
-  settings.setValue("recent", recent);
-  FillRecent();
-}
-
-void MainWindow::FillRecent() {
-  recent_->clear();
-  for (const QString& file : QSettings().value("recent").toStringList()) {
-    recent_->addAction(file, this, [this, file] { Run("file.open " + file.toStdString()); });
-  }
-  recent_->setEnabled(!recent_->isEmpty());
 }
 
 }  // namespace loopscope

@@ -2,23 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
-#include <string>
-#include <vector>
-
 #include <QElapsedTimer>
 #include <QMainWindow>
 #include <QProcess>
 #include <QTimer>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "app/session/commands.h"
 #include "app/session/session.h"
 #include "app/studio/actions.h"
+#include "app/studio/docks.h"
+#include "app/studio/exporter.h"
 #include "app/studio/run_opener.h"
 #include "app/studio/scene_worker.h"
 #include "app/studio/tile.h"
 
-class QDockWidget;
 class QGridLayout;
 class QLabel;
 class QStackedWidget;
@@ -27,11 +27,12 @@ namespace loopscope {
 
 class InspectorPanel;
 class LayersPanel;
-class MappingBar;
 class MessageBar;
 class PlayBar;
+class RecentFiles;
 class TablePanel;
 class TimelineWidget;
+class WorkBar;
 
 /// The window: shows a session, and runs commands on it.
 class MainWindow : public QMainWindow, public SessionHost {
@@ -58,10 +59,12 @@ class MainWindow : public QMainWindow, public SessionHost {
   void MapAgain() override;
   void StopMapping() override;
   void Export(const std::string& path) override;
+  void StopExport() override;
   void CopyCommandLine() override;
   void ShowKeys() override;
   void ShowPalette() override;
   void SetWindowTheme(const std::string& name) override;
+  void ResetLayout() override;
   void Quit() override;
 
  protected:
@@ -70,28 +73,33 @@ class MainWindow : public QMainWindow, public SessionHost {
   void closeEvent(QCloseEvent* event) override;
 
  private:
+  QWidget* MakeTiles();
   QWidget* MakeCentral();
-  QWidget* MakeStart();
   void MakeToolBar();
   void MakeDocks();
-  QDockWidget* AddDock(const char* title, QWidget* content, Qt::DockWidgetArea area);
+  void MakeTables(QDockWidget* inspector);
+  void MakeStatusBar();
+  void MakeTimers();
   void ConnectOpener();
+  void ConnectExporter();
   void Restore();
 
   void Refresh();
   void RefreshPanels();
   void ArrangeTiles();
+  void PlaceTiles();
   void Tick();
-  void StartExport(const ViewRequest& request, const QString& path);
-  void EndExport(int exit_code, QProcess::ExitStatus status);
+  void Load(const std::string& path, const Recording& recording);
+  void ShowMapping();
+  void StartExport(const std::vector<std::string>& arguments, const QString& path);
   ViewRequest PictureOfActiveTile() const;
-  void Remember(const std::string& path);
-  void FillRecent();
 
   Session session_;
   SceneWorker worker_;
   RunOpener opener_;
+  Exporter exporter_;
   std::unique_ptr<Actions> actions_;
+  Docks docks_;
   std::vector<Tile*> tiles_;
   std::size_t num_tiles_shown_ = 0;
   QStackedWidget* pages_ = nullptr;  // the start page, and the tiles
@@ -99,13 +107,13 @@ class MainWindow : public QMainWindow, public SessionHost {
   TimelineWidget* timeline_ = nullptr;
   PlayBar* play_bar_ = nullptr;
   MessageBar* message_bar_ = nullptr;
-  MappingBar* mapping_bar_ = nullptr;
+  WorkBar* opening_bar_ = nullptr;
+  WorkBar* export_bar_ = nullptr;
   LayersPanel* layers_ = nullptr;
   InspectorPanel* inspector_ = nullptr;
   std::vector<TablePanel*> tables_;
+  RecentFiles* recent_ = nullptr;
   QLabel* pointer_ = nullptr;
-  QMenu* recent_ = nullptr;
-  QProcess export_;
   QTimer play_timer_;
   QTimer panels_timer_;
   QElapsedTimer since_tick_;

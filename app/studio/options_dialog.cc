@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/studio/options_dialog.h"
 
-#include <exception>
-
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QHeaderView>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <exception>
 
+#include "app/session/option_rows.h"
 #include "core/io/options_file.h"
 #include "core/slam/option_values.h"
 
@@ -17,8 +17,6 @@ namespace loopscope {
 namespace {
 
 enum OptionColumn { kKey, kValue, kUnit, kDefault, kSentence, kNumColumns };
-
-QString TextOf(const OptionRow& row) { return QString::fromStdString(ToText(GetValue(row))); }
 
 }  // namespace
 
@@ -32,8 +30,9 @@ OptionsDialog::OptionsDialog(const Options& options, QWidget* parent)
   resize(1040, 640);
   search_->setPlaceholderText("Find an option");
   search_->setClearButtonEnabled(true);
-  message_->setText("Double click a value to change it. The map becomes a new recording; this one "
-                    "stays.");
+  message_->setText(
+      "Double click a value to change it. The map becomes a new recording; this one "
+      "stays.");
   message_->setWordWrap(true);
   tree_->setColumnCount(kNumColumns);
   tree_->setHeaderLabels({"Option", "Value", "Unit", "Default", "What it does"});
@@ -67,19 +66,16 @@ OptionsDialog::OptionsDialog(const Options& options, QWidget* parent)
 void OptionsDialog::Fill() {
   is_filling_ = true;
   tree_->clear();
-  Options defaults = LoopscopePreset();
-  const std::vector<OptionRow> rows = OptionTable(&options_);
-  const std::vector<OptionRow> default_rows = OptionTable(&defaults);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
+  for (const OptionEntry& entry : OptionRows(options_, LoopscopePreset())) {
     auto* const item = new QTreeWidgetItem(
-        tree_, {QString::fromStdString(rows[i].key), TextOf(rows[i]),
-                QString::fromStdString(rows[i].unit), TextOf(default_rows[i]),
-                QString::fromStdString(rows[i].sentence)});
+        tree_, {QString::fromStdString(entry.key), QString::fromStdString(entry.value),
+                QString::fromStdString(entry.unit), QString::fromStdString(entry.preset_value),
+                QString::fromStdString(entry.sentence)});
     item->setFlags(item->flags() | Qt::ItemIsEditable);
-    item->setToolTip(kValue, QString::fromStdString("expected: " + ExpectedValue(rows[i])));
+    item->setToolTip(kValue, QString::fromStdString("expected: " + entry.expected));
     item->setToolTip(kSentence, item->text(kSentence));
     QFont font = item->font(kValue);
-    font.setBold(item->text(kValue) != item->text(kDefault));
+    font.setBold(entry.changed);
     item->setFont(kKey, font);
     item->setFont(kValue, font);
   }

@@ -120,10 +120,10 @@ KeysDialog::KeysDialog(QWidget* parent) : QDialog(parent) {
                     column + 1);
   }
   grid->addWidget(new QLabel("<b>Mouse</b>"), row++, column);
-  for (const auto& [what, how] : {std::pair("Zoom at the pointer", "wheel"),
-                                  std::pair("Move the map", "drag"),
-                                  std::pair("Select what is under the pointer", "click"),
-                                  std::pair("Show all", "double click")}) {
+  for (const auto& [what, how] :
+       {std::pair("Zoom at the pointer", "wheel"), std::pair("Move the map", "drag"),
+        std::pair("Select what is under the pointer", "click"),
+        std::pair("Show all", "double click")}) {
     grid->addWidget(new QLabel(what), row, column);
     grid->addWidget(new QLabel(how), row++, column + 1);
   }

@@ -7,7 +7,7 @@
 #include <QListWidget>
 
 #include "app/session/session.h"
-#include "app/studio/tile.h"
+#include "app/studio/run_line.h"
 
 namespace loopscope {
 

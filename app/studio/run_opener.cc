@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/studio/run_opener.h"
 
-#include <exception>
-#include <filesystem>
-#include <utility>
-
 #include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
 #include <QtConcurrent>
+#include <exception>
+#include <filesystem>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "core/io/carmen_log.h"
@@ -58,15 +58,20 @@ RunOpener::~RunOpener() { reading_.waitForFinished(); }
 
 void RunOpener::Open(const std::string& path, const Options& options) {
   options_ = options;
+  is_forgotten_ = false;
   emit Reading(QString::fromStdString(path));
   reading_.setFuture(QtConcurrent::run([path] { return ReadAny(path); }));
 }
 
 void RunOpener::TakeFile() {
+  if (is_forgotten_) return;
   const std::shared_ptr<ReadFile> file = reading_.result();
   if (!file->error.empty()) {
     emit Failed(QString::fromStdString(file->error));
-  } else if (file->log) {
+    return;
+  }
+  emit HasRead(file->path);
+  if (file->log) {
     Map(*file->log, options_, file->path);
   } else {
     mapping_.reset();
@@ -84,7 +89,8 @@ void RunOpener::Map(const ScanLog& log, const Options& options, const std::strin
   mapping_->Start();
 }
 
-void RunOpener::StopMapping() {
+void RunOpener::Stop() {
+  is_forgotten_ = true;
   if (mapping_) mapping_->Stop();
 }
 

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QFutureWatcher>
+#include <QObject>
 #include <memory>
 #include <optional>
 #include <string>
-
-#include <QFutureWatcher>
-#include <QObject>
 
 #include "app/studio/mapping_worker.h"
 #include "core/slam/recording.h"
@@ -35,15 +34,18 @@ class RunOpener : public QObject {
   void Open(const std::string& path, const Options& options);
   /// Maps a log that is known already.
   void Map(const ScanLog& log, const Options& options, const std::string& log_path);
-  void StopMapping();
+  /// Forgets a file that is being read, and stops mapping; what was mapped until now stays.
+  void Stop();
 
-  bool IsReading() const { return reading_.isRunning(); }
+  bool IsReading() const { return reading_.isRunning() && !is_forgotten_; }
   bool IsMapping() const { return mapping_ != nullptr; }
   MappingProgress progress() const;
   double seconds() const;
 
  signals:
   void Reading(const QString& path);
+  /// The file could be read.
+  void HasRead(const std::string& path);
   /// There is another recording; that of a log has no steps yet.
   void Opened(const std::string& path, const std::shared_ptr<Recording>& recording);
   void Grown(const std::vector<SlamUpdate>& updates);
@@ -57,6 +59,7 @@ class RunOpener : public QObject {
   void EndMapping();
 
   QFutureWatcher<std::shared_ptr<ReadFile>> reading_;
+  bool is_forgotten_ = false;  // what is being read
   Options options_;
   std::unique_ptr<MappingWorker> mapping_;
 };

@@ -5,17 +5,16 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/slam/derive.h"
-#include "render/grid_cache.h"
+#include "render/derived_cache.h"
 #include "render/views/selection.h"
 
 namespace loopscope {
 
 namespace {
 
-SearchSize SearchSizeOf(const Recording& recording, const ViewRequest& request) {
-  const auto [submap, node] = SearchedPairOf(recording, request);
-  const auto search = ReplaySearch(recording, submap, node);
+SearchSize SearchSizeOf(DerivedCache* cache, const ViewRequest& request) {
+  const auto [submap, node] = SearchedPairOf(cache->recording(), request);
+  const DerivedCache::Search search = cache->SearchOf(submap, node);
   if (!search || search->trace.nodes.empty()) return {};
   return {static_cast<int>(search->trace.visits.size()), search->trace.nodes.front().height,
           search->trace.window.num_angular_steps};
@@ -29,7 +28,7 @@ bool operator==(const ReportSubject& a, const ReportSubject& b) {
 
 struct SceneWorker::Workplace {
   std::unique_ptr<Recording> recording;
-  std::unique_ptr<GridCache> cache;  // of `recording`
+  std::unique_ptr<DerivedCache> cache;  // of `recording`
   bool has_prefetched = false;
 };
 
@@ -119,7 +118,7 @@ bool SceneWorker::WorkOnce(Workplace* place) {
     if (stopping_) return false;
     if (loaded_) {
       place->recording = std::move(loaded_);
-      place->cache = std::make_unique<GridCache>(*place->recording);
+      place->cache = std::make_unique<DerivedCache>(*place->recording);
     }
     for (SlamUpdate& update : updates_) place->recording->Append(std::move(update));
     if (!updates_.empty() || !jobs_.empty()) place->has_prefetched = false;
@@ -148,9 +147,9 @@ void SceneWorker::Draw(int tile, const Job& job, int run, Workplace* place) {
   drawn.request = job.request;
   try {
     drawn.scene = BuildScene(place->cache.get(), job.request, job.device_pixels);
-    drawn.inspector.emplace(*place->recording, job.request, *drawn.scene);
+    drawn.inspector.emplace(place->cache.get(), job.request, *drawn.scene);
     if (job.request.view == ViewKind::kSearch) {
-      drawn.search = SearchSizeOf(*place->recording, job.request);
+      drawn.search = SearchSizeOf(place->cache.get(), job.request);
     }
   } catch (const std::invalid_argument& error) {
     drawn.error = error.what();
@@ -177,9 +176,12 @@ void SceneWorker::Report(const ReportSubject& subject, int run, const Recording&
     report = ReportOnSubmap(recording, state, *subject.submap);
   }
   for (Section& section : ReportOnStep(recording, state)) report.push_back(std::move(section));
-  if (Publish(run, report) && (has_node || has_submap)) {
-    report.push_back(has_node ? ReportOnCovariance(recording, state, *subject.node)
-                              : ReportOnCovariance(recording, state, *subject.submap));
+  if (Publish(run, report)) {
+    report.push_back(ReportOnMatch(recording, subject.step));
+    if (has_node) report.push_back(ReportOnCovariance(recording, state, *subject.node));
+    if (has_submap && !has_node) {
+      report.push_back(ReportOnCovariance(recording, state, *subject.submap));
+    }
     Publish(run, report);
   }
   const std::lock_guard<std::mutex> lock(mutex_);

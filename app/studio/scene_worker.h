@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QObject>
 #include <condition_variable>
 #include <deque>
 #include <map>
@@ -10,8 +11,6 @@
 #include <optional>
 #include <string>
 #include <thread>
-
-#include <QObject>
 
 #include "app/session/inspection_report.h"
 #include "core/slam/recording.h"
@@ -45,8 +44,8 @@ struct ReportSubject {
 };
 bool operator==(const ReportSubject& a, const ReportSubject& b);
 
-/// Builds scenes and reports on a thread of its own, from a copy of the recording of its own. Of several
-/// requests for a tile only the newest is worked on.
+/// Builds scenes and reports on a thread of its own, from a copy of the recording of its own. Of
+/// several requests for a tile only the newest is worked on.
 class SceneWorker : public QObject {
   Q_OBJECT
 

@@ -3,6 +3,7 @@
 #include "app/studio/search_bar.h"
 
 #include <QHBoxLayout>
+
 #include <fmt/format.h>
 
 namespace loopscope {
@@ -15,8 +16,7 @@ QString PartText(const char* name, const std::optional<int>& value, int count) {
 
 }  // namespace
 
-SearchBar::SearchBar(std::function<void(const std::string&)> run, QWidget* parent)
-    : QWidget(parent), run_(std::move(run)) {
+SearchBar::SearchBar(RunLine run, QWidget* parent) : QWidget(parent), run_(std::move(run)) {
   auto* const row = new QHBoxLayout(this);
   row->setContentsMargins(6, 0, 6, 4);
   visits_ = Add("search.visits", true);
@@ -47,6 +47,7 @@ SearchBar::Part SearchBar::Add(const char* command, bool all_is_right) {
 
 void SearchBar::Show(const SearchSize& size, const SearchFilter& filter) {
   is_showing_ = true;
+  setEnabled(size.num_visits > 0);
   visits_.slider->setRange(0, size.num_visits);
   visits_.slider->setValue(filter.num_visits.value_or(size.num_visits));
   visits_.label->setText(PartText("visit", filter.num_visits, size.num_visits));

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
-
 #include <QLabel>
 #include <QSlider>
 #include <QWidget>
 
+#include "app/studio/run_line.h"
 #include "app/studio/scene_worker.h"
 #include "render/search_filter.h"
 
@@ -18,9 +17,9 @@ class SearchBar : public QWidget {
   Q_OBJECT
 
  public:
-  /// `run` runs a line of a command.
-  explicit SearchBar(std::function<void(const std::string&)> run, QWidget* parent = nullptr);
+  explicit SearchBar(RunLine run, QWidget* parent = nullptr);
 
+  /// The sliders cannot be moved if the search has no visits.
   void Show(const SearchSize& size, const SearchFilter& filter);
 
  private:
@@ -32,7 +31,7 @@ class SearchBar : public QWidget {
 
   Part Add(const char* command, bool all_is_right);
 
-  std::function<void(const std::string&)> run_;
+  RunLine run_;
   Part visits_;
   Part height_;
   Part angle_;

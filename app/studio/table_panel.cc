@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/studio/table_panel.h"
 
-#include <stdexcept>
-
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QScrollBar>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <stdexcept>
+
 #include <fmt/format.h>
 
 #include "app/session/node_table.h"
@@ -26,6 +27,17 @@ const char* ExampleOf(TableKind kind) {
       break;
   }
   return "e.g. time 100..200";
+}
+
+/// Rows of the table of `kind` that are selected in the session, the main one first.
+std::vector<int> RowsSelectedIn(const Session& session, TableKind kind) {
+  const SessionState& state = session.state();
+  if (kind == TableKind::kNodes && state.node) return {state.node->index};
+  if (kind == TableKind::kSubmaps && state.submap) return {state.submap->index};
+  if (kind != TableKind::kLoops) return {};
+  std::vector<int> rows = state.loops;
+  if (const auto main = session.SelectedCandidate()) rows.insert(rows.begin(), *main);
+  return rows;
 }
 
 }  // namespace
@@ -51,9 +63,8 @@ void TablePanel::MakeQueryLine() {
   query_->setPlaceholderText(QString("List only … ") + ExampleOf(kind_));
   query_->setClearButtonEnabled(true);
   count_ = new QLabel(this);
-  connect(query_, &QLineEdit::returnPressed, this, [this] {
-    run_("table.filter " + ToString(kind_) + " " + query_->text().toStdString());
-  });
+  connect(query_, &QLineEdit::returnPressed, this,
+          [this] { run_("table.filter " + ToString(kind_) + " " + query_->text().toStdString()); });
   connect(query_, &QLineEdit::textChanged, this, [this](const QString& text) {
     if (text.isEmpty() && !is_showing_) run_("table.filter " + ToString(kind_));
   });
@@ -65,6 +76,8 @@ void TablePanel::MakeView() {
   view_->setModel(model_);
   view_->setFrameShape(QFrame::NoFrame);
   view_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  view_->setSelectionMode(kind_ == TableKind::kLoops ? QAbstractItemView::ExtendedSelection
+                                                     : QAbstractItemView::SingleSelection);
   view_->setAlternatingRowColors(true);
   view_->setShowGrid(false);
   view_->setWordWrap(false);
@@ -79,27 +92,45 @@ void TablePanel::MakeView() {
     const std::string column =
         (kind_ == TableKind::kLoops ? loops_.table() : *table_).columns()[section].name;
     const bool again = listed_ && listed_->sort_by == column && !listed_->descending;
-    run_(fmt::format("{} {} {}", again ? "table.sort_down" : "table.sort", ToString(kind_),
-                     column));
+    run_(
+        fmt::format("{} {} {}", again ? "table.sort_down" : "table.sort", ToString(kind_), column));
   });
-  connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-          [this](const QModelIndex& current) {
-            if (!is_showing_ && current.isValid()) RunSelection("select", current.row());
-          });
+  connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+    if (!is_showing_) RunSelect();
+  });
   connect(view_, &QTableView::doubleClicked, this, [this](const QModelIndex& index) {
-    RunSelection("go", index.row());
+    RunGo(index.row());
     emit SelectionActivated();
   });
 }
 
-/// "select" or "go": the command for a row that is shown.
-void TablePanel::RunSelection(const char* what, int shown_row) {
-  const int row = model_->TableRow(shown_row);
-  if (kind_ == TableKind::kLoops) {
-    run_(fmt::format("{}.loop {}", what, row));
-  } else {
-    run_(fmt::format("{}.{} {}", what, kind_ == TableKind::kNodes ? "node" : "submap", row));
+/// Rows of the table that are selected in the view, the current one first.
+std::vector<int> TablePanel::SelectedRows() const {
+  const int current = view_->currentIndex().row();
+  std::vector<int> rows;
+  for (const QModelIndex& index : view_->selectionModel()->selectedRows()) {
+    const bool is_current = index.row() == current;
+    rows.insert(is_current ? rows.begin() : rows.end(), model_->TableRow(index.row()));
   }
+  return rows;
+}
+
+void TablePanel::RunSelect() {
+  const std::vector<int> rows = SelectedRows();
+  if (rows.empty()) return;
+  if (kind_ == TableKind::kLoops) {
+    run_(fmt::format("select.loops {}", fmt::join(rows, " ")));
+  } else {
+    run_(fmt::format("select.{} {}", kind_ == TableKind::kNodes ? "node" : "submap", rows[0]));
+  }
+}
+
+void TablePanel::RunGo(int shown_row) {
+  const int row = model_->TableRow(shown_row);
+  const char* const what = kind_ == TableKind::kLoops   ? "loop"
+                           : kind_ == TableKind::kNodes ? "node"
+                                                        : "submap";
+  run_(fmt::format("go.{} {}", what, row));
 }
 
 void TablePanel::Forget() {
@@ -118,8 +149,8 @@ void TablePanel::Show(const Session& session) {
   const auto found = session.state().tables.find(kind_);
   const TableSettings settings =
       found == session.state().tables.end() ? TableSettings() : found->second;
-  const bool has_new_values = filled_step_ != session.state().step ||
-                              filled_steps_ != session.recording().num_steps();
+  const bool has_new_values =
+      filled_step_ != session.state().step || filled_steps_ != session.recording().num_steps();
   is_showing_ = true;
   if (has_new_values) FillTable(session);
   if (has_new_values || !(listed_ == settings)) {
@@ -132,7 +163,7 @@ void TablePanel::Show(const Session& session) {
 
 void TablePanel::FillTable(const Session& session) {
   const Recording& recording = session.recording();
-  const MapState state = StateAfterStep(recording, session.state().step);
+  const MapState& state = session.map();
   filled_step_ = session.state().step;
   filled_steps_ = recording.num_steps();
   if (kind_ == TableKind::kLoops) {
@@ -154,11 +185,11 @@ void TablePanel::List(const Session&) {
     if (!listed_->sort_by.empty()) sort_column = table.ColumnOf(listed_->sort_by);
     view_->horizontalHeader()->setSortIndicator(
         sort_column.value_or(-1), listed_->descending ? Qt::DescendingOrder : Qt::AscendingOrder);
-    const bool is_first = model_->columnCount() == 0;
+    const bool is_first = model_->rowCount() == 0;
     model_->Show(&table, RowsOf(table, filter, sort_column, listed_->descending));
-    if (is_first) view_->resizeColumnsToContents();
-    count_->setText(QString::fromStdString(
-        fmt::format("{} of {}", model_->rowCount(), table.num_rows())));
+    if (is_first && model_->rowCount() > 0) view_->resizeColumnsToContents();
+    count_->setText(
+        QString::fromStdString(fmt::format("{} of {}", model_->rowCount(), table.num_rows())));
     count_->setStyleSheet("");
   } catch (const std::invalid_argument& error) {
     count_->setText(error.what());
@@ -166,23 +197,22 @@ void TablePanel::List(const Session&) {
   }
 }
 
-/// The row of what is selected in the session.
 void TablePanel::SelectInView(const Session& session) {
-  const SessionState& state = session.state();
-  int table_row = -1;
-  if (kind_ == TableKind::kNodes && state.node) table_row = state.node->index;
-  if (kind_ == TableKind::kSubmaps && state.submap) table_row = state.submap->index;
-  if (kind_ == TableKind::kLoops) table_row = session.SelectedCandidate().value_or(-1);
-  const QModelIndex current = view_->currentIndex();
-  if (current.isValid() && model_->TableRow(current.row()) == table_row) return;
-  const int shown = table_row < 0 ? -1 : model_->ShownRow(table_row);
-  if (shown < 0) {
-    view_->clearSelection();
-    view_->setCurrentIndex({});
-    return;
+  std::vector<int> rows = RowsSelectedIn(session, kind_);
+  const auto is_hidden = [this](int row) { return model_->ShownRow(row) < 0; };
+  rows.erase(std::remove_if(rows.begin(), rows.end(), is_hidden), rows.end());
+  if (SelectedRows() == rows) return;
+  QItemSelection selection;
+  for (const int row : rows) {
+    const QModelIndex index = model_->index(model_->ShownRow(row), 0);
+    selection.select(index, index);
   }
-  view_->setCurrentIndex(model_->index(shown, 0));
-  view_->selectRow(shown);
+  const QModelIndex main =
+      rows.empty() ? QModelIndex() : model_->index(model_->ShownRow(rows.front()), 0);
+  QItemSelectionModel* const selected = view_->selectionModel();
+  selected->setCurrentIndex(main, QItemSelectionModel::NoUpdate);
+  selected->select(selection, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+  if (main.isValid()) view_->scrollTo(main);
 }
 
 }  // namespace loopscope

@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
-#include <optional>
-
 #include <QLabel>
 #include <QLineEdit>
 #include <QTableView>
 #include <QTimer>
 #include <QWidget>
+#include <memory>
+#include <optional>
+#include <vector>
 
 #include "app/session/loop_table.h"
 #include "app/session/session.h"
 #include "app/session/table_filter.h"
+#include "app/studio/run_line.h"
 #include "app/studio/table_model.h"
-#include "app/studio/tile.h"
 
 namespace loopscope {
 
@@ -43,7 +43,9 @@ class TablePanel : public QWidget {
   void FillTable(const Session& session);
   void List(const Session& session);
   void SelectInView(const Session& session);
-  void RunSelection(const char* what, int shown_row);
+  void RunSelect();
+  void RunGo(int shown_row);
+  std::vector<int> SelectedRows() const;
 
   TableKind kind_;
   RunLine run_;

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/studio/theme.h"
 
-#include <map>
-
 #include <QApplication>
 #include <QFontDatabase>
 #include <QPainter>
 #include <QPalette>
 #include <QPixmap>
 #include <QStyleFactory>
+#include <map>
 
 namespace loopscope {
 namespace {
@@ -64,15 +63,14 @@ QString FontFamily(const char* file) {
 /// Letters of the icon font.
 const std::map<std::string, ushort>& Glyphs() {
   static const std::map<std::string, ushort> glyphs{
-      {"file.open", 0xf07c},      {"file.demo", 0xf02d},      {"file.map_again", 0xf021},
-      {"file.export", 0xf030},    {"file.copy_command", 0xf120},
-      {"file.stop_mapping", 0xf04d},
-      {"edit.undo", 0xf0e2},      {"edit.redo", 0xf01e},      {"play.toggle", 0xf04b},
-      {"play.pause", 0xf04c},     {"step.next", 0xf105},      {"step.previous", 0xf104},
-      {"step.first", 0xf049},     {"step.last", 0xf050},      {"event.next", 0xf051},
-      {"event.previous", 0xf048}, {"tiles.one", 0xf0c8},      {"tiles.two", 0xf0db},
-      {"tiles.four", 0xf009},     {"camera.fit", 0xf0b2},     {"camera.frame", 0xf05b},
-      {"help.palette", 0xf002},   {"help.keys", 0xf11c},      {"message", 0xf071},
+      {"file.open", 0xf07c},      {"file.demo", 0xf02d},         {"file.map_again", 0xf021},
+      {"file.export", 0xf030},    {"file.copy_command", 0xf120}, {"file.stop_mapping", 0xf04d},
+      {"edit.undo", 0xf0e2},      {"edit.redo", 0xf01e},         {"play.toggle", 0xf04b},
+      {"play.pause", 0xf04c},     {"step.next", 0xf105},         {"step.previous", 0xf104},
+      {"step.first", 0xf049},     {"step.last", 0xf050},         {"event.next", 0xf051},
+      {"event.previous", 0xf048}, {"tiles.one", 0xf0c8},         {"tiles.two", 0xf0db},
+      {"tiles.four", 0xf009},     {"camera.fit", 0xf0b2},        {"camera.frame", 0xf05b},
+      {"help.palette", 0xf002},   {"help.keys", 0xf11c},         {"message", 0xf071},
       {"close", 0xf00d}};
   return glyphs;
 }

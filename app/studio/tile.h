@@ -2,22 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
-#include <string>
-
 #include <QComboBox>
 #include <QLabel>
 #include <QWidget>
 
 #include "app/session/session.h"
+#include "app/studio/run_line.h"
 #include "app/studio/scene_worker.h"
 #include "app/studio/search_bar.h"
 #include "app/studio/view_widget.h"
 
 namespace loopscope {
-
-/// Runs a line of a command.
-using RunLine = std::function<void(const std::string& line)>;
 
 /// One of the views of the window, with a list of views to choose from above it.
 class Tile : public QWidget {
@@ -40,22 +35,31 @@ class Tile : public QWidget {
  signals:
   /// What lies under the pointer, in words; empty if it is nowhere.
   void Pointed(const QString& text);
+  /// The table of loops now lists what was clicked at.
+  void Listed();
 
  private:
+  void MakeLists();
+  void MakeSearchBar();
+  void Arrange();
+  void ConnectView();
+  void ShowLists(const Session& session);
   void Activate();
   void Hover(const QPoint& position);
-  /// Selects what was clicked at, where that is a thing of the whole map.
+  /// Selects what was clicked at, where that is a thing of the whole map or the run.
   void Select(const QPoint& position);
+  /// Goes to a point of a chart; shows all of any other view.
+  void GoTo(const QPoint& position);
   std::optional<Finding> FindAt(const QPoint& position) const;
 
   int index_;
   SceneWorker* worker_;
   RunLine run_;
-  QComboBox* kinds_;
-  QComboBox* charts_;
-  QLabel* message_;
-  SearchBar* search_;
-  ViewWidget* view_;
+  QComboBox* kinds_ = nullptr;
+  QComboBox* charts_ = nullptr;
+  QLabel* message_ = nullptr;
+  SearchBar* search_ = nullptr;
+  ViewWidget* view_ = nullptr;
   std::optional<ViewRequest> asked_;
   std::optional<ViewRequest> shown_;
   std::optional<Inspector> inspector_;  // of what is shown

@@ -2,23 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/studio/timeline_widget.h"
 
+#include <QEvent>
+#include <QMouseEvent>
+#include <QPainter>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include <QEvent>
-#include <QMouseEvent>
-#include <QPainter>
 #include <fmt/format.h>
 
 namespace loopscope {
 namespace {
 
 constexpr int kMargin = 10;
-constexpr int kNames = 96;     // width of the names of the rows [px]
-constexpr int kRow = 13;       // height [px]
-constexpr int kRuler = 16;     // height of the row of times
-constexpr int kHandle = 6;     // half of its width
+constexpr int kNames = 96;  // width of the names of the rows [px]
+constexpr int kRow = 13;    // height [px]
+constexpr int kRuler = 16;  // height of the row of times
+constexpr int kHandle = 6;  // half of its width
 
 struct Row {
   Event::Kind kind;
@@ -135,8 +135,8 @@ void TimelineWidget::paintEvent(QPaintEvent*) {
   painter.drawLine(QPointF(x, kRuler - 2), QPointF(x, height() - 4));
   painter.setBrush(accent);
   painter.setPen(Qt::NoPen);
-  painter.drawPolygon(QPolygonF{{QPointF(x - kHandle, kRuler - 10), QPointF(x + kHandle, kRuler - 10),
-                                 QPointF(x, kRuler)}});
+  painter.drawPolygon(QPolygonF{
+      {QPointF(x - kHandle, kRuler - 10), QPointF(x + kHandle, kRuler - 10), QPointF(x, kRuler)}});
 }
 
 void TimelineWidget::resizeEvent(QResizeEvent*) { ticks_ = QPixmap(); }

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/studio/view_widget.h"
 
-#include <cmath>
-#include <mutex>
-
 #include <QMouseEvent>
 #include <QWheelEvent>
+#include <cmath>
+#include <mutex>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRendererCollection.h>
@@ -30,6 +29,7 @@ ViewWidget::ViewWidget(QWidget* parent) : QVTKOpenGLNativeWidget(parent) {
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   window->SetMultiSamples(0);
   setRenderWindow(window);
+  setEnableHiDPI(false);  // texts of a scene are as large already as the screen needs them
   interactor()->SetInteractorStyle(nullptr);
   setMouseTracking(true);
   setFocusPolicy(Qt::ClickFocus);

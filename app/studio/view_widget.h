@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <vector>
-
 #include <QPoint>
 #include <QTimer>
 #include <QVTKOpenGLNativeWidget.h>
+#include <functional>
+#include <optional>
+#include <vector>
 
 #include "render/scene.h"
 
@@ -69,11 +68,11 @@ class ViewWidget : public QVTKOpenGLNativeWidget {
   Eigen::Vector2d ToScene(const QPoint& position) const;
 
   Scene scene_;
-  std::vector<vtkRenderer*> panels_;  // of the window, as in scene_
-  vtkRenderer* paper_ = nullptr;      // around the panels
+  std::vector<vtkRenderer*> panels_;                   // of the window, as in scene_
+  vtkRenderer* paper_ = nullptr;                       // around the panels
   std::function<Props(const FlatCamera&)> draw_edge_;  // of the main panel
   Props edge_;
-  bool is_moved_ = false;             // the camera is not that of the scene
+  bool is_moved_ = false;  // the camera is not that of the scene
   std::optional<QPoint> pressed_at_;
   bool is_dragging_ = false;
   FlatCamera camera_when_pressed_;

@@ -19,14 +19,9 @@ bool LiesIn(const Submap& submap, NodeId node) {
 /// The pair as the mapper considered it, if it did so and searched it.
 std::optional<LoopCandidate> SearchedCandidate(const Recording& recording, SubmapId submap,
                                                NodeId node) {
-  const auto& candidates = recording.candidates();
-  const auto found =
-      std::find_if(candidates.begin(), candidates.end(), [&](const LoopCandidate& candidate) {
-        return candidate.submap == submap && candidate.node == node &&
-               candidate.verdict != Verdict::kNotSampled;
-      });
-  if (found == candidates.end()) return std::nullopt;
-  return *found;
+  const std::optional<int> index = recording.FindCandidate(submap, node);
+  if (!index || recording.candidates()[*index].verdict == Verdict::kNotSampled) return std::nullopt;
+  return recording.candidates()[*index];
 }
 
 /// When a pair came up: at the later of the node's insertion and the submap's end.

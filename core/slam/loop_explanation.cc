@@ -12,15 +12,6 @@
 namespace loopscope {
 namespace {
 
-const LoopCandidate* FindCandidate(const Recording& recording, SubmapId submap, NodeId node) {
-  const auto& candidates = recording.candidates();
-  const auto found =
-      std::find_if(candidates.begin(), candidates.end(), [&](const LoopCandidate& candidate) {
-        return candidate.submap == submap && candidate.node == node;
-      });
-  return found == candidates.end() ? nullptr : &*found;
-}
-
 /// Collects checks until one fails.
 class Checklist {
  public:
@@ -132,7 +123,8 @@ LoopExplanation ExplainLoop(const Recording& recording, SubmapId submap, NodeId 
                                                   WouldHaveMatched(recording, submap, node))) {
     return list.explanation();
   }
-  const LoopCandidate* const candidate = FindCandidate(recording, submap, node);
+  const std::optional<int> index = recording.FindCandidate(submap, node);
+  const LoopCandidate* const candidate = index ? &recording.candidates()[*index] : nullptr;
   const bool searched = candidate != nullptr && candidate->verdict != Verdict::kNotSampled;
   if (!list.Add({"sampled", searched ? "yes" : "no",
                  fmt::format("a share of {} of the pairs", options.sampling_ratio), searched},

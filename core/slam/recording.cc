@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/slam/recording.h"
 
+#include <algorithm>
+
 namespace loopscope {
 
 void Recording::Append(SlamUpdate update) {
@@ -16,6 +18,15 @@ void Recording::Append(SlamUpdate update) {
   if (update.finished_submap) submaps_[update.finished_submap->index].finished_step = step;
   for (LoopCandidate& candidate : update.candidates) candidates_.push_back(std::move(candidate));
   if (update.optimization) optimizations_.push_back(std::move(*update.optimization));
+}
+
+std::optional<int> Recording::FindCandidate(SubmapId submap, NodeId node) const {
+  const auto found =
+      std::find_if(candidates_.begin(), candidates_.end(), [&](const LoopCandidate& candidate) {
+        return candidate.submap == submap && candidate.node == node;
+      });
+  if (found == candidates_.end()) return std::nullopt;
+  return static_cast<int>(found - candidates_.begin());
 }
 
 }  // namespace loopscope

@@ -42,21 +42,33 @@ double ChartAxis::PlaceOf(double value) const {
   return std::log(std::max(value, min) / min) / std::log(max / min);
 }
 
-std::optional<int> CandidateAt(const ChartData& data, double x, double y) {
+double ChartAxis::ValueAt(double place) const {
+  return logarithmic ? min * std::pow(max / min, place) : min + place * (max - min);
+}
+
+std::optional<ChartPoint> PointAt(const ChartData& data, double x, double y) {
   constexpr double kReach = 0.02;  // of an axis
-  std::optional<int> nearest;
+  std::optional<ChartPoint> nearest;
   double nearest_distance = kReach;
   for (const ChartSeries& series : data.series) {
     for (const ChartPoint& point : series.points) {
-      if (point.candidate < 0) continue;
       const double distance = std::hypot(data.x.PlaceOf(point.x) - data.x.PlaceOf(x),
                                          data.y.PlaceOf(point.y) - data.y.PlaceOf(y));
       if (distance > nearest_distance) continue;
-      nearest = point.candidate;
+      nearest = point;
       nearest_distance = distance;
     }
   }
   return nearest;
+}
+
+std::optional<ChartBar> BarAt(const ChartData& data, double x, double y) {
+  for (const ChartSeries& series : data.series) {
+    for (const ChartBar& bar : series.bars) {
+      if (bar.begin <= x && x < bar.end && bar.low <= y && y <= bar.high) return bar;
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace loopscope

@@ -41,6 +41,8 @@ struct ChartAxis {
 
   /// Of `value` along the axis: 0 at min, 1 at max. What is below the axis is at its beginning.
   double PlaceOf(double value) const;
+  /// The value at `place`, likewise.
+  double ValueAt(double place) const;
 };
 
 struct ChartPoint {
@@ -81,8 +83,11 @@ struct ChartData {
   std::vector<ChartThreshold> thresholds;
 };
 
-/// The candidate whose point is nearest to (x, y), in the coordinates of the axes, if it is no
-/// farther away than a fiftieth of them.
-std::optional<int> CandidateAt(const ChartData& data, double x, double y);
+/// The point nearest to (x, y), in the coordinates of the axes, if it is no farther away than a
+/// fiftieth of them.
+std::optional<ChartPoint> PointAt(const ChartData& data, double x, double y);
+
+/// The bar at (x, y), in the coordinates of the axes.
+std::optional<ChartBar> BarAt(const ChartData& data, double x, double y);
 
 }  // namespace loopscope

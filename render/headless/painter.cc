@@ -47,11 +47,11 @@ Picture Painter::Draw(const Scene& scene) {
 }
 
 Picture Painter::Draw(const Recording& recording, const ViewRequest& request) {
-  GridCache cache(recording);
+  DerivedCache cache(recording);
   return Draw(&cache, request);
 }
 
-Picture Painter::Draw(GridCache* cache, const ViewRequest& request) {
+Picture Painter::Draw(DerivedCache* cache, const ViewRequest& request) {
   return Draw(BuildScene(cache, request, OversamplingOf(request)));
 }
 

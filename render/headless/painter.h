@@ -25,7 +25,7 @@ class Painter {
   /// BuildScene with OversamplingOf, and Draw.
   Picture Draw(const Recording& recording, const ViewRequest& request);
   /// Likewise, of the recording of `cache`.
-  Picture Draw(GridCache* cache, const ViewRequest& request);
+  Picture Draw(DerivedCache* cache, const ViewRequest& request);
 
  private:
   vtkSmartPointer<OffscreenWindow> window_;

@@ -9,7 +9,7 @@
 #include "core/slam/state.h"
 #include "render/inspections/inspections.h"
 #include "render/layers/constraints.h"
-#include "render/views/grids.h"
+#include "render/number_text.h"
 #include "render/views/selection.h"
 
 namespace loopscope {

@@ -20,7 +20,8 @@ Look InspectSubmap(const Recording& recording, const ViewRequest& request);
 Look InspectUpdate(const Recording& recording, const ViewRequest& request);
 Look InspectMatch(const Recording& recording, const ViewRequest& request);
 /// `aspect` is the width over the height of the chart.
-Look InspectSearch(const Recording& recording, const ViewRequest& request, double aspect);
+Look InspectSearch(DerivedCache* cache, const ViewRequest& request, double aspect);
+Look InspectChart(const Recording& recording, const ViewRequest& request, const Scene& scene);
 
 /// Index and probability of the cell at `point`, or that no scan has seen it.
 std::vector<Fact> CellFacts(const ProbabilityGrid& grid, const Eigen::Vector2d& point);

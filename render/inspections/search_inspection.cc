@@ -8,22 +8,22 @@
 #include "core/slam/derive.h"
 #include "render/inspections/inspections.h"
 #include "render/layers/search_tree.h"
-#include "render/views/grids.h"
+#include "render/number_text.h"
 #include "render/views/selection.h"
 
 namespace loopscope {
 namespace {
 
 struct SearchThings {
-  SearchThings(SearchReplay replay, const SearchFilter& filter, double chart_aspect)
+  SearchThings(DerivedCache::Search replay, const SearchFilter& filter, double chart_aspect)
       : search(std::move(replay)),
-        part(search.trace, filter),
+        part(search->trace, filter),
         levels(LevelsOf(part)),
         by_angle(NodesByAngle(part)),
         aspect(chart_aspect) {}
 
-  SearchReplay search;
-  SearchPart part;  ///< of search.trace
+  DerivedCache::Search search;
+  SearchPart part;  ///< of search->trace
   std::vector<SearchLevel> levels;
   std::vector<int> by_angle;
   double aspect;
@@ -78,11 +78,11 @@ std::optional<Finding> FindBlock(const SearchPart& part, const std::vector<int>&
 }
 
 std::optional<Finding> FindIn(const SearchThings& things, int panel, const Eigen::Vector2d& point) {
-  const SearchTrace& trace = things.search.trace;
+  const SearchTrace& trace = things.search->trace;
   const int num_levels = static_cast<int>(things.levels.size());
   if (panel == 0) {
-    return Finding{std::nullopt, things.search.candidate.submap,
-                   CellFacts(things.search.grid, point)};
+    return Finding{std::nullopt, things.search->candidate.submap,
+                   CellFacts(things.search->grid, point)};
   }
   if (panel <= num_levels) {
     return FindBlock(things.part, things.levels[panel - 1].shown, point,
@@ -94,12 +94,12 @@ std::optional<Finding> FindIn(const SearchThings& things, int panel, const Eigen
 
 }  // namespace
 
-Look InspectSearch(const Recording& recording, const ViewRequest& request, double aspect) {
-  const auto [submap, node] = SearchedPairOf(recording, request);
-  std::optional<SearchReplay> search = ReplaySearch(recording, submap, node);
+Look InspectSearch(DerivedCache* cache, const ViewRequest& request, double aspect) {
+  const auto [submap, node] = SearchedPairOf(cache->recording(), request);
+  DerivedCache::Search search = cache->SearchOf(submap, node);
   if (!search) return [](int, const Eigen::Vector2d&, double) { return std::nullopt; };
   const auto things =
-      std::make_shared<const SearchThings>(std::move(*search), request.search, aspect);
+      std::make_shared<const SearchThings>(std::move(search), request.search, aspect);
   return [things](int panel, const Eigen::Vector2d& point, double) {
     return FindIn(*things, panel, point);
   };

@@ -29,6 +29,11 @@ struct ChartPlot {
     return {box.left + box.width * x.PlaceOf(x_value),
             box.bottom + box.height * y.PlaceOf(y_value)};
   }
+  /// The values at a point of the panel.
+  Eigen::Vector2d ValueAt(const Eigen::Vector2d& point) const {
+    return {x.ValueAt((point.x() - box.left) / box.width),
+            y.ValueAt((point.y() - box.bottom) / box.height)};
+  }
 };
 
 /// A faint line across the plot at each tick, and an outline around it.

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "render/charts/recording_charts.h"
-#include "render/layers/chart_layers.h"
-#include "render/views/grids.h"
+#include "render/layers/outline.h"
+#include "render/number_text.h"
+#include "render/views/chart_plot.h"
 #include "render/views/selection.h"
 #include "render/views/sheet.h"
 #include "render/views/views.h"
@@ -51,35 +53,43 @@ Annotation Describe(const Recording& recording, const ChartData& data, int step)
   return annotation;
 }
 
-/// The part of the panel that its numbers and titles leave.
-Box PlotBox(double width, const std::vector<ChartTick>& y_ticks, const TextStyle& style,
-            double pixel) {
-  double numbers = 0.0;
-  for (const ChartTick& tick : y_ticks) numbers = std::max(numbers, TextWidth(tick.label, style));
-  const double em = style.size * pixel;
-  Box box{0.0, 0.0, width, 1.0};
-  CutLeft(numbers * pixel + 0.8 * em, &box);
-  CutRight(1.5 * em, &box);
-  CutTop(2.0 * em, &box);
-  CutBottom(3.1 * em, &box);
-  return box;
+/// The candidates that are selected or marked.
+std::set<int> MarkedCandidates(const Recording& recording, const ViewRequest& request) {
+  std::vector<LoopPair> pairs = request.marked;
+  if (request.node && request.submap) pairs.push_back({*request.node, *request.submap});
+  std::set<int> candidates;
+  for (const LoopPair& pair : pairs) {
+    if (const auto index = recording.FindCandidate(pair.submap, pair.node)) {
+      candidates.insert(*index);
+    }
+  }
+  return candidates;
 }
 
-/// As many ticks as have room along `length`, each `width` long.
-int NumTicks(double length, double width) {
-  return std::clamp(static_cast<int>(length / width), 1, 8);
+/// A ring around each point that stands for one of `candidates`.
+void DrawMarks(const ChartData& data, const ChartPlot& plot, const std::set<int>& candidates,
+               Sheet* sheet) {
+  const double radius = sheet->Meters(0, 0.7 * widths::kMark);
+  for (const ChartSeries& series : data.series) {
+    for (const ChartPoint& point : series.points) {
+      if (candidates.count(point.candidate) == 0) continue;
+      sheet->Add(0, LayerKind::kSelection, [&] {
+        return CircleLayer(plot.At(point.x, point.y), radius, sheet->palette().selection,
+                           sheet->Px(widths::kBold));
+      });
+    }
+  }
 }
 
-void DrawChart(const ChartData& data, double width, Sheet* sheet) {
+void DrawChart(const ChartData& data, const std::set<int>& marked, double width, Sheet* sheet) {
   const Palette& palette = sheet->palette();
   const TextStyle style = TextStyleOf(sheet->size(), palette.faint_ink);
   const double pixel = sheet->camera(0).meters_per_pixel;
-  const double em = style.size * pixel;
-  const auto y_ticks = TicksOf(data.y, NumTicks(1.0, 4.0 * em));
-  const ChartPlot plot{PlotBox(width, y_ticks, style, pixel), data.x, data.y};
-  const auto x_ticks = TicksOf(data.x, NumTicks(width, 6.0 * em));
+  const PlacedChart chart = PlaceChart(data, width, style, pixel);
+  const ChartPlot& plot = chart.plot;
   sheet->Add(0, LayerKind::kGrid, [&] {
-    return ChartGridLayer(plot, x_ticks, y_ticks, palette.rule, sheet->Px(widths::kThin));
+    return ChartGridLayer(plot, chart.x_ticks, chart.y_ticks, palette.rule,
+                          sheet->Px(widths::kThin));
   });
   for (const ChartSeries& series : data.series) {
     sheet->Add(0, LayerKind::kScan, [&] {
@@ -88,11 +98,12 @@ void DrawChart(const ChartData& data, double width, Sheet* sheet) {
                               {sheet->Px(widths::kLine), size, true});
     });
   }
+  DrawMarks(data, plot, marked, sheet);
   sheet->Add(0, LayerKind::kLabels, [&] {
     return ThresholdsLayer(plot, data.thresholds, palette.ink, sheet->Px(widths::kLine));
   });
-  for (const auto& texts :
-       ChartTexts(plot, data, x_ticks, y_ticks, style, WithOpacity(palette.paper, 0.8), pixel)) {
+  for (const auto& texts : ChartTexts(plot, data, chart.x_ticks, chart.y_ticks, style,
+                                      WithOpacity(palette.paper, 0.8), pixel)) {
     sheet->Add(0, LayerKind::kLabels, [&] { return texts; });
   }
 }
@@ -104,7 +115,7 @@ Scene BuildChartView(const Recording& recording, const ViewRequest& request, int
   const ChartData data = ChartOf(recording, request.chart, step);
   Sheet sheet(request, oversampling, Describe(recording, data, step),
               KeysOf(data, PaletteOf(request.theme)));
-  DrawChart(data, sheet.OpenChart(0, {}), &sheet);
+  DrawChart(data, MarkedCandidates(recording, request), sheet.OpenChart(0, {}), &sheet);
   return sheet.Finish();
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/slam/derive.h"
 #include "render/layers/constraints.h"
+#include "render/number_text.h"
 #include "render/views/grids.h"
 #include "render/views/highlight.h"
 #include "render/views/pose_layers.h"
@@ -152,6 +153,18 @@ void AddLines(LayerKind kind, const std::vector<PlacedConstraint>& constraints, 
       0, kind, [&] { return draw(Thinned(constraints, kMaxMoving)); }, Sheet::When::kMoving);
 }
 
+/// Those whose residual is seen. Of thousands of INTRA constraints that is true of a few, and a
+/// wide line costs as much however short it is.
+std::vector<PlacedConstraint> WithVisibleResidual(const std::vector<PlacedConstraint>& constraints,
+                                                  double meters_per_pixel) {
+  constexpr double kMinPixels = 0.5;
+  std::vector<PlacedConstraint> visible;
+  for (const PlacedConstraint& constraint : constraints) {
+    if (constraint.residual() >= kMinPixels * meters_per_pixel) visible.push_back(constraint);
+  }
+  return visible;
+}
+
 /// `dimming` in [0, 1] multiplies the opacity of the lines between submaps and nodes.
 void DrawConstraints(const Graph& graph, double dimming, Sheet* sheet) {
   using Lines = std::vector<PlacedConstraint>;
@@ -177,13 +190,14 @@ void DrawConstraints(const Graph& graph, double dimming, Sheet* sheet) {
   AddLines(LayerKind::kIntra, graph.intra, intra, sheet);
   AddLines(LayerKind::kRefused, graph.refused, refused, sheet);
   AddLines(LayerKind::kInter, graph.inter, inter, sheet);
-  AddLines(LayerKind::kResiduals, graph.intra, intra_residuals, sheet);
-  AddLines(LayerKind::kResiduals, graph.inter, inter_residuals, sheet);
+  const double pixel = sheet->camera(0).meters_per_pixel;
+  AddLines(LayerKind::kResiduals, WithVisibleResidual(graph.intra, pixel), intra_residuals, sheet);
+  AddLines(LayerKind::kResiduals, WithVisibleResidual(graph.inter, pixel), inter_residuals, sheet);
 }
 
 }  // namespace
 
-Scene BuildGraphView(GridCache* cache, const ViewRequest& request, int oversampling) {
+Scene BuildGraphView(DerivedCache* cache, const ViewRequest& request, int oversampling) {
   const Recording& recording = cache->recording();
   const Graph graph = GraphAfterStep(recording, StepOf(recording, request));
   const Palette& palette = PaletteOf(request.theme);

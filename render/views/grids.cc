@@ -2,15 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/views/grids.h"
 
-#include <cmath>
-
-#include <fmt/format.h>
-
 namespace loopscope {
 
-std::vector<PlacedGrid> PlacedGridsOf(GridCache* cache, const MapState& state) {
+std::vector<PlacedGrid> PlacedGridsOf(DerivedCache* cache, const MapState& state) {
   std::vector<PlacedGrid> placed;
-  for (const GridCache::Grid& grid : cache->GridsOfState(state)) {
+  for (const DerivedCache::Grid& grid : cache->GridsOfState(state)) {
     placed.push_back({grid, state.global_from_submap[placed.size()]});
   }
   return placed;
@@ -31,16 +27,5 @@ ColorBar OccupancyBar(const MapColors& colors) {
 LegendEntry UnknownEntry(const MapColors& colors) {
   return {{Swatch::Kind::kFill, colors.unknown, colors.unknown}, "never seen"};
 }
-
-std::string LengthText(double length) {
-  return std::abs(length) < 1.0 ? fmt::format("{:.1f} cm", 100.0 * length)
-                                : fmt::format("{:.2f} m", length);
-}
-
-std::string CountText(double count) {
-  return count < 1e6 ? fmt::format("{:.0f}", count) : fmt::format("{:.2f} million", 1e-6 * count);
-}
-
-std::string AngleText(double radians) { return fmt::format("{:.2f}°", RadiansToDegrees(radians)); }
 
 }  // namespace loopscope

@@ -8,7 +8,7 @@
 #include "core/slam/loop_explanation.h"
 #include "render/layers/shapes.h"
 #include "render/layers/trajectory.h"
-#include "render/views/grids.h"
+#include "render/number_text.h"
 #include "render/views/selection.h"
 
 namespace loopscope {
@@ -26,23 +26,17 @@ std::vector<Eigen::Vector2d> KnownArea(const PlacedGrid& placed) {
                           min + r * Eigen::Vector2d(box.width, box.height));
 }
 
-/// The last time that the pair was searched until `state`.
-const LoopCandidate* SearchedCandidate(const Recording& recording, const MapState& state,
-                                       SubmapId submap, NodeId node) {
-  for (int i = state.num_candidates - 1; i >= 0; --i) {
-    const LoopCandidate& candidate = recording.candidates()[i];
-    if (candidate.submap == submap && candidate.node == node &&
-        candidate.verdict != Verdict::kNotSampled) {
-      return &candidate;
-    }
-  }
-  return nullptr;
-}
-
-void Link(const Constraint& constraint, const std::string& what, const MapState& state,
-          Highlight* highlight) {
-  highlight->link = PlaceConstraints({constraint}, constraint.tag, state).front();
-  highlight->link_text = what + ", residual " + LengthText(highlight->link->residual());
+/// The link of a pair that was searched until `state`.
+std::optional<PlacedConstraint> LoopLink(const Recording& recording, const MapState& state,
+                                         const LoopPair& pair) {
+  const std::optional<int> index = recording.FindCandidate(pair.submap, pair.node);
+  if (!index || *index >= state.num_candidates) return std::nullopt;
+  const LoopCandidate& found = recording.candidates()[*index];
+  if (found.verdict == Verdict::kNotSampled) return std::nullopt;
+  return PlaceConstraints(
+             {{pair.submap, pair.node, found.submap_from_node, 0.0, 0.0, Tag::kInterSubmap}},
+             Tag::kInterSubmap, state)
+      .front();
 }
 
 /// Sets the link if there is one.
@@ -53,22 +47,31 @@ void FindLink(const Recording& recording, const MapState& state, Highlight* high
   if (submap.index >= record.first_submap.index &&
       submap.index < record.first_submap.index + record.num_submaps) {
     const Pose2 submap_from_node = SubmapFromNode(recording, submap, node);
-    Link({submap, node, submap_from_node, 0.0, 0.0, Tag::kIntraSubmap}, "INTRA", state, highlight);
+    highlight->link =
+        PlaceConstraints({{submap, node, submap_from_node, 0.0, 0.0, Tag::kIntraSubmap}},
+                         Tag::kIntraSubmap, state)
+            .front();
+    highlight->link_text = "INTRA, residual " + LengthText(highlight->link->residual());
     return;
   }
-  const LoopCandidate* const found = SearchedCandidate(recording, state, submap, node);
-  if (found == nullptr) return;
-  const bool accepted = found->verdict == Verdict::kAccepted;
-  Link({submap, node, found->submap_from_node, 0.0, 0.0, Tag::kInterSubmap},
-       fmt::format("{}, score {:.3f}", accepted ? "INTER" : "no loop: " + ToString(found->verdict),
-                   found->score),
-       state, highlight);
+  const std::optional<int> index = recording.FindCandidate(submap, node);
+  highlight->link = LoopLink(recording, state, {node, submap});
+  if (!highlight->link) return;
+  const LoopCandidate& found = recording.candidates()[*index];
+  const bool accepted = found.verdict == Verdict::kAccepted;
+  highlight->link_text = fmt::format("{}, score {:.3f}, residual {}",
+                                     accepted ? "INTER" : "no loop: " + ToString(found.verdict),
+                                     found.score, LengthText(highlight->link->residual()));
 }
 
 void AddLines(const Highlight& highlight, double ring_radius, const Color& color, Shapes* shapes) {
   shapes->AddOutline(highlight.known_area, color);
   if (highlight.link) shapes->AddLine(highlight.link->submap, highlight.link->expected_node, color);
   if (highlight.node) shapes->AddCircle(highlight.node_place, ring_radius, color);
+  for (const PlacedConstraint& loop : highlight.marked) {
+    shapes->AddLine(loop.submap, loop.expected_node, color);
+    shapes->AddCircle(loop.node, ring_radius, color);
+  }
 }
 
 /// The lines of the highlight in `color`, `width` of the palette.
@@ -136,6 +139,11 @@ Highlight HighlightOf(const Recording& recording, const ViewRequest& request, co
     highlight.known_area = KnownArea(grids[request.submap->index]);
   }
   if (highlight.node && highlight.submap) FindLink(recording, state, &highlight);
+  for (const LoopPair& pair : request.marked) {
+    RequireNode(recording, pair.node);
+    RequireSubmap(recording, pair.submap);
+    if (const auto link = LoopLink(recording, state, pair)) highlight.marked.push_back(*link);
+  }
   return highlight;
 }
 
@@ -154,8 +162,7 @@ std::vector<PlacedConstraint> LinksOf(const Highlight& highlight,
   return links;
 }
 
-std::vector<Label> DrawHighlight(const Highlight& highlight, const PoseColors& colors,
-                                 Sheet* sheet) {
+Written DrawHighlight(const Highlight& highlight, const PoseColors& colors, Sheet* sheet) {
   if (highlight.empty() || !sheet->Shows(LayerKind::kSelection)) return {};
   constexpr double kWidth = 1.1 * widths::kBold;
   constexpr double kEdged = kWidth + 2.0 * widths::kThin;
@@ -178,7 +185,7 @@ std::vector<Label> DrawHighlight(const Highlight& highlight, const PoseColors& c
   const std::vector<Label> labels = LabelsOf(highlight, style, *sheet);
   sheet->Add(0, LayerKind::kSelection,
              [&] { return LabelsLayer(labels, style, WithOpacity(colors.label_plate, 0.85)); });
-  return labels;
+  return {labels, highlight.submap};
 }
 
 }  // namespace loopscope

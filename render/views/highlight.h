@@ -14,7 +14,7 @@ namespace loopscope {
 
 /// What is selected, in the map frame; without what does not exist yet.
 struct Highlight {
-  bool empty() const { return !node && !submap; }
+  bool empty() const { return !node && !submap && marked.empty(); }
 
   std::optional<NodeId> node;
   std::optional<SubmapId> submap;
@@ -23,10 +23,11 @@ struct Highlight {
   std::vector<Eigen::Vector2d> known_area;  ///< corners [m] of the box around its known cells
   std::optional<PlacedConstraint> link;     ///< constraint or loop candidate between the two
   std::string link_text;                    ///< what it is, with score and residual
+  std::vector<PlacedConstraint> marked;     ///< further loops
 };
 
-/// What of the node and the submap of `request` there is in `state`; `grids` are its submaps.
-/// Throws std::invalid_argument if the recording has no such node or submap.
+/// What of the node, the submap and the marked loops of `request` there is in `state`; `grids` are
+/// its submaps. Throws std::invalid_argument if the recording has no such node or submap.
 Highlight HighlightOf(const Recording& recording, const ViewRequest& request, const MapState& state,
                       const std::vector<PlacedGrid>& grids);
 
@@ -39,8 +40,7 @@ std::vector<PlacedConstraint> LinksOf(const Highlight& highlight,
 
 /// Draws the node as a ring, the submap as the box around its known cells and a bold frame, and the
 /// link between them with its residual, in panel 0; over them their ids and what the link is, in
-/// the colours of labels. Returns these labels.
-std::vector<Label> DrawHighlight(const Highlight& highlight, const PoseColors& colors,
-                                 Sheet* sheet);
+/// the colours of labels. Returns what was written.
+Written DrawHighlight(const Highlight& highlight, const PoseColors& colors, Sheet* sheet);
 
 }  // namespace loopscope

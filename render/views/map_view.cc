@@ -60,7 +60,7 @@ Annotation Describe(const Recording& recording, const MapState& state, const Ext
 
 }  // namespace
 
-Scene BuildMapView(GridCache* cache, const ViewRequest& request, int oversampling) {
+Scene BuildMapView(DerivedCache* cache, const ViewRequest& request, int oversampling) {
   const Recording& recording = cache->recording();
   const MapState state = StateAfterStep(recording, StepOf(recording, request));
   const std::vector<PlacedGrid> grids = PlacedGridsOf(cache, state);

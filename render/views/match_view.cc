@@ -9,6 +9,7 @@
 #include "render/layers/outline.h"
 #include "render/layers/robot.h"
 #include "render/layers/scan.h"
+#include "render/number_text.h"
 #include "render/views/close_up.h"
 #include "render/views/grids.h"
 #include "render/views/selection.h"

@@ -8,18 +8,19 @@
 namespace loopscope {
 namespace {
 
-void DrawLabels(const MapState& state, const PoseColors& colors, const std::vector<Label>& taken,
+void DrawLabels(const MapState& state, const PoseColors& colors, const Written& written,
                 Sheet* sheet) {
   const TextStyle style = TextStyleOf(sheet->size(), colors.label);
   const Eigen::Vector2d beside =
       Eigen::Vector2d(0.3, 0.3) * sheet->Meters(0, widths::kAxis);  // clear of the axes
-  std::vector<Label> labels = taken;
+  std::vector<Label> labels = written.labels;
   for (SubmapId id{0}; id.index < state.num_submaps; ++id.index) {
+    if (id == written.submap) continue;
     labels.push_back({state.global_from_submap[id.index].translation + beside, ToString(id)});
   }
   sheet->Add(0, LayerKind::kLabels, [&] {
     std::vector<Label> kept = WithoutOverlaps(labels, sheet->camera(0), sheet->frame(0), style);
-    kept.erase(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(taken.size()));
+    kept.erase(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(written.labels.size()));
     return LabelsLayer(kept, style, colors.label_plate);
   });
 }
@@ -34,7 +35,7 @@ void DrawMap(const std::vector<PlacedGrid>& grids, const MapColors& colors, Shee
   });
 }
 
-void DrawPoses(const MapState& state, const PoseColors& colors, const std::vector<Label>& taken,
+void DrawPoses(const MapState& state, const PoseColors& colors, const Written& written,
                Sheet* sheet) {
   const Palette& palette = sheet->palette();
   sheet->Add(0, LayerKind::kTrajectory, [&] {
@@ -52,7 +53,7 @@ void DrawPoses(const MapState& state, const PoseColors& colors, const std::vecto
     return RobotLayer(state.global_from_base, sheet->Meters(0, 1.5 * widths::kMark),
                       sheet->Meters(0, widths::kThin), palette.robot);
   });
-  DrawLabels(state, colors, taken, sheet);
+  DrawLabels(state, colors, written, sheet);
 }
 
 }  // namespace loopscope

@@ -19,9 +19,15 @@ struct PoseColors {
 /// All submaps, in the colours of the panel's map.
 void DrawMap(const std::vector<PlacedGrid>& grids, const MapColors& colors, Sheet* sheet);
 
+/// What is said of the selection.
+struct Written {
+  std::vector<Label> labels;
+  std::optional<SubmapId> submap;  ///< whose id is among them
+};
+
 /// The way of the robot, its nodes, the frames of the submaps with their ids, and the robot. The
-/// ids leave `taken`, labels that are drawn as well, free.
-void DrawPoses(const MapState& state, const PoseColors& colors, const std::vector<Label>& taken,
+/// ids leave what is `written` free, and do not repeat it.
+void DrawPoses(const MapState& state, const PoseColors& colors, const Written& written,
                Sheet* sheet);
 
 }  // namespace loopscope

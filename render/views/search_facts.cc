@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "render/views/grids.h"
+#include "render/number_text.h"
 
 namespace loopscope {
 namespace {

@@ -12,6 +12,7 @@
 #include "render/layers/robot.h"
 #include "render/layers/scan.h"
 #include "render/layers/search_tree.h"
+#include "render/number_text.h"
 #include "render/views/grids.h"
 #include "render/views/search_facts.h"
 #include "render/views/selection.h"
@@ -21,9 +22,9 @@
 namespace loopscope {
 namespace {
 
-SearchReplay SearchOf(const Recording& recording, SubmapId submap, NodeId node) {
-  std::optional<SearchReplay> search = ReplaySearch(recording, submap, node);
-  if (search) return std::move(*search);
+DerivedCache::Search SearchOf(DerivedCache* cache, SubmapId submap, NodeId node) {
+  DerivedCache::Search search = cache->SearchOf(submap, node);
+  if (search) return search;
   throw std::invalid_argument(fmt::format(
       "node {} cannot be searched in submap {}: expected a finished submap that it is not part of",
       node.index, submap.index));
@@ -202,9 +203,11 @@ Arrangement ArrangementOf(const SearchFilter& filter, int num_levels) {
 
 }  // namespace
 
-Scene BuildSearchView(const Recording& recording, const ViewRequest& request, int oversampling) {
+Scene BuildSearchView(DerivedCache* cache, const ViewRequest& request, int oversampling) {
+  const Recording& recording = cache->recording();
   const auto [submap, node] = SearchedPairOf(recording, request);
-  const SearchReplay search = SearchOf(recording, submap, node);
+  const DerivedCache::Search kept = SearchOf(cache, submap, node);
+  const SearchReplay& search = *kept;
   const SearchPart part(search.trace, request.search);
   const std::vector<SearchLevel> levels = LevelsOf(part);
   const BoundRange range = BoundRangeOf(search.trace);
@@ -214,8 +217,7 @@ Scene BuildSearchView(const Recording& recording, const ViewRequest& request, in
   Sheet sheet(request, oversampling, Describe(recording, search, part),
               KeysOf(search, part, range, colors, palette),
               ArrangementOf(request.search, static_cast<int>(levels.size())));
-  PlacedGrid grid{std::make_shared<ProbabilityGrid>(search.grid), Pose2()};
-  Extent extent = ExtentOf(grid);
+  Extent extent = ExtentOf(PlacedGrid{{kept, &search.grid}, Pose2()});
   extent.extend(WindowExtent(search.trace.window));
   sheet.Open(0, extent, colors.unknown, {"the submap and the window"});
   DrawMap(search, part, colors, &sheet);

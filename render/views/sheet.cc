@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/views/sheet.h"
 
+#include <algorithm>
+
 #include "render/annotation_layer.h"
 #include "render/layers/opacity.h"
 
@@ -21,6 +23,11 @@ Sheet::Sheet(const ViewRequest& request, int oversampling, Annotation annotation
 
 Annotation Sheet::Complete(Annotation annotation, const LayerKeys& keys) const {
   if (!request_.title.empty()) annotation.title = request_.title;
+  if (request_.plain) {
+    annotation.subtitle.clear();
+    annotation.facts.clear();
+    return annotation;
+  }
   for (const auto& [kind, entry] : keys.legend) {
     if (Shows(kind)) annotation.legend.push_back(entry);
   }
@@ -38,9 +45,10 @@ void Sheet::Open(int panel, const Extent& extent, const Color& canvas,
   draft.caption = std::move(caption);
   if (panel != 0) return;
   if (request_.center) draft.camera.center = *request_.center;
-  if (request_.width_in_meters) {
-    draft.camera.meters_per_pixel = *request_.width_in_meters / frame(panel).width;
-  }
+  if (!request_.width_in_meters && !request_.height_in_meters) return;
+  draft.camera.meters_per_pixel =
+      std::max(request_.width_in_meters.value_or(0.0) / frame(panel).width,
+               request_.height_in_meters.value_or(0.0) / frame(panel).height);
 }
 
 void Sheet::OpenFrom(const SideView& side, int panel, const Extent& extent, const Color& canvas,

@@ -7,6 +7,7 @@
 #include "core/slam/derive.h"
 #include "render/layers/scan.h"
 #include "render/layers/trajectory.h"
+#include "render/number_text.h"
 #include "render/views/grids.h"
 #include "render/views/selection.h"
 #include "render/views/sheet.h"

@@ -10,6 +10,7 @@
 #include "render/layers/robot.h"
 #include "render/layers/time_layers.h"
 #include "render/views/grids.h"
+#include "render/views/highlight.h"
 #include "render/views/selection.h"
 #include "render/views/sheet.h"
 #include "render/views/views.h"
@@ -79,15 +80,22 @@ Extent ExtentInView(const Floor& floor, double height, const Eigen::Matrix3d& vi
   return extent;
 }
 
-LayerKeys KeysOf(const MapColors& colors, const Palette& palette) {
-  return {{{LayerKind::kInter,
-            {{Swatch::Kind::kLine, palette.inter, colors.unknown}, "INTER constraint"}},
-           {LayerKind::kIntra,
-            {{Swatch::Kind::kLine, HueOf(1), colors.unknown}, "INTRA constraint, by submap"}},
-           {LayerKind::kNodes, {{Swatch::Kind::kPoint, palette.node, colors.unknown}, "node"}},
-           {LayerKind::kFrames, {{Swatch::Kind::kFrame, {}, colors.unknown}, "frame of a submap"}},
-           {LayerKind::kRobot, {{Swatch::Kind::kRobot, palette.robot, colors.unknown}, "robot"}}},
-          {}};
+LayerKeys KeysOf(const MapColors& colors, const Palette& palette, const Highlight& highlight) {
+  LayerKeys keys{
+      {{LayerKind::kInter,
+        {{Swatch::Kind::kLine, palette.inter, colors.unknown}, "INTER constraint"}},
+       {LayerKind::kIntra,
+        {{Swatch::Kind::kLine, HueOf(1), colors.unknown}, "INTRA constraint, by submap"}},
+       {LayerKind::kNodes, {{Swatch::Kind::kPoint, palette.node, colors.unknown}, "node"}},
+       {LayerKind::kFrames, {{Swatch::Kind::kFrame, {}, colors.unknown}, "frame of a submap"}},
+       {LayerKind::kRobot, {{Swatch::Kind::kRobot, palette.robot, colors.unknown}, "robot"}}},
+      {}};
+  if (!highlight.empty()) {
+    keys.legend.emplace_back(
+        LayerKind::kSelection,
+        LegendEntry{{Swatch::Kind::kPoint, palette.selection, colors.unknown}, "selected"});
+  }
+  return keys;
 }
 
 Annotation Describe(const Recording& recording, const RisingGraph& graph) {
@@ -131,6 +139,57 @@ void DrawFloor(const Floor& floor, const MapColors& colors, Sheet* sheet) {
 /// The more lines there are, the clearer each is.
 double OpacityOfMany(std::size_t count) {
   return std::clamp(10.0 / std::sqrt(static_cast<double>(count) + 1.0), 0.2, 0.7);
+}
+
+/// What is selected, and what is marked beside it.
+struct RisingSelection {
+  std::vector<int> nodes;
+  std::vector<int> submaps;
+  std::vector<PlacedConstraint> links;
+
+  bool empty() const { return nodes.empty() && submaps.empty(); }
+};
+
+RisingSelection SelectionOf(const Highlight& highlight) {
+  RisingSelection selection;
+  if (highlight.node) selection.nodes.push_back(highlight.node->index);
+  if (highlight.submap) selection.submaps.push_back(highlight.submap->index);
+  if (highlight.link) selection.links.push_back(*highlight.link);
+  for (const PlacedConstraint& loop : highlight.marked) {
+    selection.nodes.push_back(loop.constraint.node.index);
+    selection.links.push_back(loop);
+  }
+  return selection;
+}
+
+template <typename Value>
+std::vector<Value> Picked(const std::vector<Value>& values, const std::vector<int>& indices) {
+  std::vector<Value> picked;
+  for (const int index : indices) picked.push_back(values[index]);
+  return picked;
+}
+
+void DrawSelection(const RisingGraph& graph, const RisingSelection& selection, Sheet* sheet) {
+  if (selection.empty()) return;
+  const Palette& palette = sheet->palette();
+  sheet->Add(0, LayerKind::kSelection, [&] {
+    return RisingConstraintsLayer(selection.links, graph.submap_heights, graph.node_heights,
+                                  palette.selection, 1.0, sheet->Px(widths::kBold));
+  });
+  sheet->Add(0, LayerKind::kSelection, [&] {
+    Shapes nodes;  // not hidden by what is in front of them
+    for (const int node : selection.nodes) {
+      nodes.SetHeight(graph.node_heights[node]);
+      nodes.AddPoint(graph.state.global_from_node[node].translation, palette.selection);
+    }
+    return MakeActor(nodes.Build(), {1.0, sheet->Px(widths::kMark), true});
+  });
+  sheet->Add(0, LayerKind::kSelection, [&] {
+    return RisingFramesLayer(Picked(graph.state.global_from_submap, selection.submaps),
+                             Picked(graph.submap_heights, selection.submaps),
+                             sheet->Meters(0, 1.5 * widths::kAxis), sheet->Px(1.6 * widths::kBold),
+                             palette);
+  });
 }
 
 void DrawGraph(const RisingGraph& graph, Sheet* sheet) {
@@ -217,7 +276,7 @@ void DrawAxis(const RisingGraph& graph, const Floor& floor, const Eigen::Matrix3
 
 }  // namespace
 
-Scene BuildTimeView(GridCache* cache, const ViewRequest& request, int oversampling) {
+Scene BuildTimeView(DerivedCache* cache, const ViewRequest& request, int oversampling) {
   constexpr double kAzimuth = -30.0;  // [deg]
   constexpr double kElevation = 30.0;
   const SideView side{DegreesToRadians(request.azimuth.value_or(kAzimuth)),
@@ -225,11 +284,14 @@ Scene BuildTimeView(GridCache* cache, const ViewRequest& request, int oversampli
   const Eigen::Matrix3d view_from_map = side.ViewFromMap();
   const Recording& recording = cache->recording();
   const RisingGraph graph = GraphAfterStep(recording, StepOf(recording, request));
-  const Floor floor = FloorOf(PlacedGridsOf(cache, graph.state), view_from_map);
+  const std::vector<PlacedGrid> grids = PlacedGridsOf(cache, graph.state);
+  const Highlight highlight = HighlightOf(recording, request, graph.state, grids);
+  const Floor floor = FloorOf(grids, view_from_map);
   const Palette& palette = PaletteOf(request.theme);
   const MapColors colors = DarkMapColors(palette);
 
-  Sheet sheet(request, oversampling, Describe(recording, graph), KeysOf(colors, palette));
+  Sheet sheet(request, oversampling, Describe(recording, graph),
+              KeysOf(colors, palette, highlight));
   const double numbers = 4.5 * sheet.size().font / sheet.frame(0).width;
   sheet.OpenFrom(side, 0, ExtentInView(floor, graph.height(), view_from_map, numbers),
                  colors.unknown,
@@ -238,6 +300,7 @@ Scene BuildTimeView(GridCache* cache, const ViewRequest& request, int oversampli
                   fmt::format("elevation {:g}°", RadiansToDegrees(side.elevation))});
   DrawFloor(floor, colors, &sheet);
   DrawGraph(graph, &sheet);
+  DrawSelection(graph, SelectionOf(highlight), &sheet);
   DrawAxis(graph, floor, view_from_map, &sheet);
   return sheet.Finish();
 }

@@ -17,7 +17,7 @@ constexpr std::size_t kLengthOfName = std::string_view("loopscope ").size();
 
 /// Every field of a request, in all views, with values that are hard to write and to quote.
 std::vector<ViewRequest> Requests() {
-  std::vector<ViewRequest> requests(8);
+  std::vector<ViewRequest> requests(9);
   for (ViewRequest& request : requests) {
     request.width = 400;
     request.height = 300;
@@ -40,6 +40,12 @@ std::vector<ViewRequest> Requests() {
   requests[6].layers = {LayerKind::kNodes, LayerKind::kInter, LayerKind::kTrajectory};
   requests[7].view = ViewKind::kGraph;
   requests[7].center = Eigen::Vector2d(2.0, -1e-3);
+  requests[8].view = ViewKind::kTime;
+  requests[8].marked = {{NodeId{50}, SubmapId{0}}};
+  requests[8].theme = Theme::kDarkColorBlind;
+  requests[8].plain = true;
+  requests[7].width_in_meters = 2.0;
+  requests[7].height_in_meters = 3.0;
   return requests;
 }
 
@@ -54,7 +60,7 @@ TEST(RenderCommandLine, DrawsTheVeryPictureThatTheRequestAsksFor) {
   const Recording recording = ReadRecording(folder.Path(run));
   Painter painter(Backend::kAuto);
   for (const ViewRequest& request : Requests()) {
-    const std::string line = RenderCommandLine(run, request, "-a b.png");
+    const std::string line = CommandLine(RenderArguments(run, request, "-a b.png"));
     const ProgramRun drawn = RunLoopscope(folder, line.substr(kLengthOfName));
     ASSERT_EQ(drawn.exit_code, 0) << line << drawn.err;
     WritePng(painter.Draw(recording, request), folder.Path("expected.png"));

@@ -71,14 +71,15 @@ BENCHMARK(BM_DragGraphMoving)
     ->UseRealTime();
 
 void BM_BuildGraph(benchmark::State& state) {
-  GridCache cache(LargeRecording());
+  DerivedCache cache(LargeRecording());
   BuildScene(&cache, GraphRequest());
   for (auto _ : state) benchmark::DoNotOptimize(BuildScene(&cache, GraphRequest()));
 }
 BENCHMARK(BM_BuildGraph)->Unit(benchmark::kMillisecond);
 
 void BM_InspectGraph(benchmark::State& state) {
-  const Inspector inspector(LargeRecording(), GraphRequest(), Scene());
+  DerivedCache cache(LargeRecording());
+  const Inspector inspector(&cache, GraphRequest(), Scene());
   double x = 0.0;
   for (auto _ : state) benchmark::DoNotOptimize(inspector.WhatIsAt(0, {x += 1e-3, 0.1}, 0.01));
 }

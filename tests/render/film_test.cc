@@ -52,7 +52,7 @@ class WithCameraOfTest : public testing::Test {
   }
 
   const Recording recording_ = MapLog(SimulateSmallLoop().log, SmallLoopOptions());
-  GridCache cache_{recording_};
+  DerivedCache cache_{recording_};
   ViewRequest request_;
 };
 

@@ -10,8 +10,11 @@
 
 #include "core/slam/cell_history.h"
 #include "core/slam/derive.h"
+#include "render/charts/recording_charts.h"
 #include "render/layers/constraints.h"
 #include "render/layers/search_tree.h"
+#include "render/layout.h"
+#include "render/views/chart_plot.h"
 #include "tests/support/mapped_log.h"
 
 namespace loopscope {
@@ -31,7 +34,8 @@ ViewRequest RequestFor(ViewKind view) {
 }
 
 Inspector InspectorFor(const ViewRequest& request) {
-  return Inspector(SmallLoop(), request, BuildScene(SmallLoop(), request));
+  DerivedCache cache(SmallLoop());
+  return Inspector(&cache, request, BuildScene(&cache, request));
 }
 
 /// The fact called `name`, or "" if there is none.
@@ -55,10 +59,46 @@ TEST(InspectorTest, FindsTheNearestNodeOfAGraph) {
   EXPECT_EQ(ValueOf(*finding, "x"), fmt::format("{:.2f} m", place.x()));
 }
 
-TEST(InspectorTest, FindsNothingInAChartAndInTheGraphOverTime) {
-  for (const ViewKind view : {ViewKind::kTime, ViewKind::kChart}) {
-    EXPECT_FALSE(InspectorFor(RequestFor(view)).WhatIsAt(0, {0.5, 0.5}, 100.0)) << ToString(view);
-  }
+TEST(InspectorTest, FindsNothingInTheGraphOverTime) {
+  EXPECT_FALSE(InspectorFor(RequestFor(ViewKind::kTime)).WhatIsAt(0, {0.5, 0.5}, 100.0));
+}
+
+/// Where values stand in the panel of the chart that `request` asks for.
+Vector PlaceInChart(const ViewRequest& request, double x, double y) {
+  const Panel panel = BuildScene(SmallLoop(), request).panels.front();
+  const SheetSize size = MakeSheetSize(request.width, request.height, 1, request.text_height);
+  const ChartData data = ChartOf(SmallLoop(), request.chart, SmallLoop().num_steps() - 1);
+  return PlaceChart(data, panel.frame.width / panel.frame.height, TextStyleOf(size, {}),
+                    panel.camera.meters_per_pixel)
+      .plot.At(x, y);
+}
+
+TEST(InspectorTest, FindsTheLoopOfAPointInAChart) {
+  const ViewRequest request = RequestFor(ViewKind::kChart);
+  const auto& candidates = SmallLoop().candidates();
+  const auto loop = std::find_if(candidates.begin(), candidates.end(), [](const auto& candidate) {
+    return candidate.verdict == Verdict::kAccepted;
+  });
+  const Vector place = PlaceInChart(request, loop->considered_step, loop->score);
+  const auto finding = InspectorFor(request).WhatIsAt(0, place, 0.0);
+  ASSERT_TRUE(finding.has_value());
+  EXPECT_EQ(finding->loop, static_cast<int>(loop - candidates.begin()));
+  EXPECT_EQ(finding->step, loop->considered_step);
+  EXPECT_FALSE(InspectorFor(request).WhatIsAt(0, {-1.0, -1.0}, 0.0).has_value());
+}
+
+TEST(InspectorTest, FindsTheRangeOfABarOfAHistogram) {
+  ViewRequest request = RequestFor(ViewKind::kChart);
+  request.chart = ChartKind::kResidualHistogram;
+  const ChartData data = ChartOf(SmallLoop(), request.chart, SmallLoop().num_steps() - 1);
+  const ChartBar& bar = data.series.front().bars.front();
+  const double middle = std::sqrt(bar.begin * bar.end);  // the axis is logarithmic
+  const Vector place = PlaceInChart(request, middle, 0.5 * (bar.low + bar.high));
+  const auto finding = InspectorFor(request).WhatIsAt(0, place, 0.0);
+  ASSERT_TRUE(finding.has_value() && finding->range.has_value());
+  EXPECT_EQ(finding->range->quantity, "residual");
+  EXPECT_EQ(finding->range->begin, 0.0) << "the first bar holds all that is less";
+  EXPECT_EQ(finding->range->end, bar.end);
 }
 
 TEST(InspectorTest, FindsNothingWhereNothingIsNear) {
@@ -230,7 +270,8 @@ TEST(InspectorTest, FindsTheFieldOfAnAngleInTheChart) {
   const auto search = ReplaySearch(SmallLoop(), SubmapId{1}, NodeId{122});
   const SearchNode& winner = search->trace.nodes[search->trace.winner];
   const Extent field = FieldOf(winner, search->trace, chart.width / chart.height);
-  const auto finding = Inspector(SmallLoop(), request, scene).WhatIsAt(8, field.center(), 0.0);
+  DerivedCache cache(SmallLoop());
+  const auto finding = Inspector(&cache, request, scene).WhatIsAt(8, field.center(), 0.0);
   ASSERT_TRUE(finding);
   EXPECT_EQ(ValueOf(*finding, "fate"), "became the best");
   EXPECT_EQ(ValueOf(*finding, "height"), "0");

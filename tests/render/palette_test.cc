@@ -100,8 +100,12 @@ TEST(ColorMapTest, EndsAtItsEnds) {
 TEST(ThemeTest, UnknownNamesAreRefusedWithTheKnownOnes) {
   EXPECT_EQ(ThemeFromName("default"), Theme::kDefault);
   EXPECT_EQ(ThemeFromName("color-blind"), Theme::kColorBlind);
-  EXPECT_EQ(MessageOf([] { ThemeFromName("dark"); }),
-            "unknown theme 'dark': expected default or color-blind");
+  EXPECT_EQ(MessageOf([] { ThemeFromName("night"); }),
+            "unknown theme 'night': expected one of default, color-blind, dark, dark-color-blind");
+}
+
+TEST(ThemeTest, NamesAreThoseOfTheThemes) {
+  for (const std::string& name : ThemeNames()) EXPECT_EQ(ToString(ThemeFromName(name)), name);
 }
 
 }  // namespace

@@ -136,7 +136,7 @@ TEST(ViewRequestTest, IsAnotherFromAnotherSideOrWithAnotherChart) {
 TEST(BuildSceneTest, AChartHasNoMapToAimAt) {
   ViewRequest request = RequestFor(ViewKind::kChart);
   request.width_in_meters = 3.0;
-  EXPECT_EQ(WhyRefused(request), "view chart has no map: expected no center and no width of it");
+  EXPECT_EQ(WhyRefused(request), "view chart has no map: expected no center and no size of it");
 }
 
 TEST(BuildSceneTest, GivesTheLayersTheOpacitiesAskedFor) {
@@ -198,7 +198,7 @@ TEST(BuildSceneTest, ManyConstraintsHaveAThinnedStandInForTheMovingCamera) {
 }
 
 TEST(BuildSceneTest, ACacheChangesNoScene) {
-  GridCache cache(SmallLoop());
+  DerivedCache cache(SmallLoop());
   BuildScene(&cache, RequestFor(ViewKind::kGraph));
   const Scene cached = BuildScene(&cache, RequestFor(ViewKind::kMap));
   const Scene fresh = BuildScene(SmallLoop(), RequestFor(ViewKind::kMap));

@@ -20,6 +20,8 @@ class FakeHost : public SessionHost {
   void OpenDemo() override { calls.push_back("demo"); }
   void MapAgain() override { calls.push_back("map again"); }
   void StopMapping() override { calls.push_back("stop"); }
+  void StopExport() override { calls.push_back("stop export"); }
+  void ResetLayout() override { calls.push_back("reset layout"); }
   void Export(const std::string& path) override { calls.push_back("export " + path); }
   void CopyCommandLine() override { calls.push_back("copy"); }
   void ShowKeys() override { calls.push_back("keys"); }
@@ -184,6 +186,25 @@ TEST_F(SessionCommandsTest, AreFoundInThePaletteByTheirWords) {
   EXPECT_TRUE(MatchesPalette(CommandNamed("event.next_loop"), "next CLOSED"));
   EXPECT_TRUE(MatchesPalette(CommandNamed("step.seek"), "step.se"));
   EXPECT_FALSE(MatchesPalette(CommandNamed("event.next_loop"), "next opened"));
+}
+
+TEST_F(SessionCommandsTest, SelectsOneLoopAndMarksTheOthersBesideIt) {
+  const SessionState& state = Run("select.loops 5 2 7");
+  EXPECT_EQ(session_.SelectedCandidate(), 5);
+  EXPECT_EQ(state.loops, (std::vector<int>{2, 7}));
+  EXPECT_TRUE(Run("select.node 3").loops.empty());
+  EXPECT_THAT(ErrorOf("select.loops 5 999999"), HasSubstr("there is no loop 999999"));
+  EXPECT_THAT(ErrorOf("select.loops"), HasSubstr("expected one loop"));
+}
+
+TEST_F(SessionCommandsTest, FramesAPairByItsWidthAndItsHeight) {
+  const SessionState& state = Run("select.pair 60 0");
+  const MapState map = StateAfterStep(session_.recording(), state.step);
+  const Eigen::Vector2d apart =
+      map.global_from_node[60].translation - map.global_from_submap[0].translation;
+  const ViewCamera camera = *Run("camera.frame").views.at(ViewKind::kMap).camera;
+  EXPECT_GE(camera.width_in_meters, std::abs(apart.x()));
+  EXPECT_GE(camera.height_in_meters, std::abs(apart.y()));
 }
 
 }  // namespace

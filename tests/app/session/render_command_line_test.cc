@@ -13,7 +13,7 @@ namespace loopscope {
 namespace {
 
 TEST(RenderCommandLine, LeavesOutWhatIsLeftToTheView) {
-  EXPECT_EQ(RenderCommandLine("run.loopscope", ViewRequest(), "map.png"),
+  EXPECT_EQ(CommandLine(RenderArguments("run.loopscope", ViewRequest(), "map.png")),
             "loopscope render run.loopscope --view map -o map.png");
 }
 
@@ -30,7 +30,7 @@ TEST(RenderCommandLine, SaysAllThatTheRequestSays) {
   request.height = 1080;
   request.theme = Theme::kColorBlind;
   request.title = "Loop 7";
-  EXPECT_EQ(RenderCommandLine("run.loopscope", request, "a.png"),
+  EXPECT_EQ(CommandLine(RenderArguments("run.loopscope", request, "a.png")),
             "loopscope render run.loopscope --view search --step 812 --node 57 --submap 3 --layers "
             "grid,labels --center 1.5,-2.25 --width 12.5 --size 1920x1080 --theme color-blind "
             "--title 'Loop 7' -o a.png");
@@ -40,7 +40,7 @@ TEST(RenderCommandLine, GivesNumbersTheDigitsThatTheyNeed) {
   ViewRequest request;
   request.center = Eigen::Vector2d(0.1 + 0.2, 1.0 / 3.0);
   request.width_in_meters = 1e-7;
-  EXPECT_EQ(RenderCommandLine("r", request, "o"),
+  EXPECT_EQ(CommandLine(RenderArguments("r", request, "o")),
             "loopscope render r --view map --center 0.30000000000000004,0.3333333333333333 "
             "--width 1e-07 -o o");
 }
@@ -49,7 +49,7 @@ TEST(RenderCommandLine, TiesWhatLooksLikeAnOptionToItsOwn) {
   ViewRequest request;
   request.center = Eigen::Vector2d(-1.0, 2.0);
   request.title = "--step";
-  EXPECT_EQ(RenderCommandLine("-run", request, "-out.png"),
+  EXPECT_EQ(CommandLine(RenderArguments("-run", request, "-out.png")),
             "loopscope render ./-run --view map --center=-1,2 --title=--step -o ./-out.png");
 }
 
@@ -58,27 +58,46 @@ TEST(RenderCommandLine, SaysFromWhichSideToLookAndWhatToChart) {
   time.view = ViewKind::kTime;
   time.azimuth = -45.5;
   time.elevation = 0.0;
-  EXPECT_EQ(RenderCommandLine("r", time, "o"),
+  EXPECT_EQ(CommandLine(RenderArguments("r", time, "o")),
             "loopscope render r --view time --azimuth=-45.5 --elevation 0 -o o");
   ViewRequest chart;
   chart.view = ViewKind::kChart;
-  EXPECT_EQ(RenderCommandLine("r", chart, "o"), "loopscope render r --view chart -o o");
+  EXPECT_EQ(CommandLine(RenderArguments("r", chart, "o")), "loopscope render r --view chart -o o");
   chart.chart = ChartKind::kResidualHistogram;
-  EXPECT_EQ(RenderCommandLine("r", chart, "o"),
+  EXPECT_EQ(CommandLine(RenderArguments("r", chart, "o")),
             "loopscope render r --view chart --chart residual-histogram -o o");
 }
 
+TEST(RenderCommandLine, SaysWhatIsMarkedAndWhatIsLeftOut) {
+  ViewRequest request;
+  request.marked = {{NodeId{57}, SubmapId{3}}, {NodeId{60}, SubmapId{4}}};
+  request.theme = Theme::kDark;
+  request.plain = true;
+  request.height_in_meters = 4.5;
+  EXPECT_EQ(
+      CommandLine(RenderArguments("r", request, "o")),
+      "loopscope render r --view map --mark 57:3,60:4 --min-height 4.5 --theme dark --plain -o o");
+}
+
+TEST(FilmCommandLine, SaysWhichStepsAndNotTheOneThatIsLookedAt) {
+  ViewRequest request;
+  request.view = ViewKind::kGraph;
+  request.step = 7;
+  EXPECT_EQ(CommandLine(FilmArguments("r", request, {10, 90, 5, 12.5}, "o.mp4")),
+            "loopscope film r --view graph --steps 10:90:5 --fps 12.5 -o o.mp4");
+}
+
 TEST(RenderCommandLine, QuotesPaths) {
-  EXPECT_EQ(RenderCommandLine("my run.loopscope", ViewRequest(), "it's.png"),
+  EXPECT_EQ(CommandLine(RenderArguments("my run.loopscope", ViewRequest(), "it's.png")),
             "loopscope render 'my run.loopscope' --view map -o 'it'\\''s.png'");
 }
 
 TEST(RenderCommandLine, RefusesAPictureWithoutLayers) {
   ViewRequest request;
   request.layers.emplace();
-  EXPECT_EQ(MessageOf([&] { RenderCommandLine("r", request, "o"); }),
+  EXPECT_EQ(MessageOf([&] { CommandLine(RenderArguments("r", request, "o")); }),
             "no layers: expected one at least for a command line");
-  EXPECT_THROW(RenderCommandLine("r", request, "o"), std::invalid_argument);
+  EXPECT_THROW(CommandLine(RenderArguments("r", request, "o")), std::invalid_argument);
 }
 
 TEST(QuotedForShell, IsTheSameWordInAShell) {

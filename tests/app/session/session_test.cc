@@ -124,20 +124,61 @@ TEST(SessionTest, AsksForTheSelectedPairInASearchAndForTheStepElsewhere) {
   EXPECT_FALSE(update.submap) << "the scan of step 150 did not go into submap 0";
 }
 
-TEST(SessionTest, AsksForNoSelectionInAChartAndInTheGraphOverTime) {
+TEST(SessionTest, AsksForTheSelectionAndTheMarkedLoopsInAllViewsOfTheRun) {
   Session session = Loaded();
+  const int loop = FirstCandidateWith(SmallLoopRun(), Verdict::kAccepted);
   SessionState state = session.state();
-  state.tiles = {ViewKind::kTime, ViewKind::kChart};
+  state.tiles = {ViewKind::kTime, ViewKind::kChart, ViewKind::kMap, ViewKind::kMatch};
   state.node = NodeId{40};
   state.submap = SubmapId{0};
+  state.loops = {loop};
   state.chart = ChartKind::kResiduals;
   session.Change("", state);
-  const ViewRequest time = session.RequestOf(0);
-  EXPECT_FALSE(time.node || time.submap);
-  EXPECT_EQ(time.chart, ChartKind::kScores) << "only a chart has a kind of chart";
-  const ViewRequest chart = session.RequestOf(1);
-  EXPECT_FALSE(chart.node || chart.submap);
-  EXPECT_EQ(chart.chart, ChartKind::kResiduals);
+  for (int tile = 0; tile < 3; ++tile) {
+    const ViewRequest request = session.RequestOf(tile);
+    EXPECT_EQ(request.node, NodeId{40});
+    EXPECT_EQ(request.submap, SubmapId{0});
+    ASSERT_EQ(request.marked.size(), 1u);
+    EXPECT_EQ(request.marked[0].node, SmallLoopRun().candidates()[loop].node);
+  }
+  EXPECT_EQ(session.RequestOf(0).chart, ChartKind::kScores) << "only a chart has a kind of chart";
+  EXPECT_EQ(session.RequestOf(1).chart, ChartKind::kResiduals);
+  EXPECT_TRUE(session.RequestOf(3).marked.empty());
+}
+
+TEST(SessionTest, MarksNoLoopsBesideAnotherPair) {
+  Session session = Loaded();
+  SessionState state = session.state();
+  state.node = NodeId{40};
+  state.loops = {3};
+  session.Change("", state);
+  EXPECT_EQ(session.state().loops, std::vector<int>{3});
+  state.node = NodeId{41};
+  session.Change("", state);
+  EXPECT_TRUE(session.state().loops.empty());
+}
+
+TEST(SessionTest, AsksForDarkPicturesInADarkWindowWhateverIsUndone) {
+  Session session = Loaded();
+  session.SetDark(true);
+  EXPECT_EQ(session.RequestOf(0).theme, Theme::kDark);
+  SessionState state = session.state();
+  state.theme = Theme::kColorBlind;
+  session.Change("", state);
+  EXPECT_EQ(session.RequestOf(0).theme, Theme::kDarkColorBlind);
+  session.Undo();
+  EXPECT_EQ(session.RequestOf(0).theme, Theme::kDark);
+  session.SetDark(false);
+  EXPECT_EQ(session.RequestOf(0).theme, Theme::kDefault);
+}
+
+TEST(SessionTest, HasTheMapOfTheStepThatIsLookedAt) {
+  Session session = Loaded();
+  for (const int step : {10, 60}) {
+    session.Change("step", AtStep(session, step));
+    EXPECT_EQ(session.map().step, step);
+    EXPECT_EQ(session.map().num_nodes, StateAfterStep(SmallLoopRun(), step).num_nodes);
+  }
 }
 
 TEST(SessionTest, DoesNotAskForWhatHadNotBegunAtTheStep) {

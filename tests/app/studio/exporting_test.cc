@@ -18,6 +18,14 @@ class ExportingTest : public WindowFixture {
 
   const ViewRequest& Asked() { return *window().findChildren<Tile*>().front()->asked(); }
 
+  /// Runs the command of the export dialog, and `act` while it is open.
+  void InDialog(const std::function<void(QDialog*)>& act, bool wait = true) {
+    QTimer::singleShot(300,
+                       [&] { act(qobject_cast<QDialog*>(QApplication::activeModalWidget())); });
+    window().Run("file.export");
+    if (wait) WaitUntilIdle();
+  }
+
   /// What the program, run by itself, writes for the request of the first tile.
   std::string DrawnByProgram(const std::string& name) {
     std::string arguments;
@@ -64,6 +72,52 @@ TEST_F(ExportingTest, TheExportedPictureIsWhatTheWindowShows) {
         Compare(Shrunk(ViewPicture()), Shrunk(ReadPng(path)), {48, 0.02});
     EXPECT_TRUE(comparison.equal) << comparison.differing_share << " " << comparison.max_difference;
   }
+}
+
+TEST_F(ExportingTest, TheCommandLineOfADarkWindowDrawsADarkPicture) {
+  Play({"window.dark", "view.graph", "file.copy_command"});
+  EXPECT_THAT(QApplication::clipboard()->text().toStdString(), testing::HasSubstr(" --theme dark"));
+  Play({"file.export " + folder().Path("dark.png"), "window.light"});
+  const Picture picture = ReadPng(folder().Path("dark.png"));
+  EXPECT_LT(picture.rgb.front(), 60) << "its paper";
+}
+
+TEST_F(ExportingTest, AFilmIsMadeOfTheStepsChosenInTheDialog) {
+  std::string line;
+  InDialog([&](QDialog* dialog) {
+    dialog->findChild<QComboBox*>()->setCurrentIndex(1);
+    const auto boxes = dialog->findChildren<QSpinBox*>();
+    ASSERT_EQ(boxes.size(), 6);
+    boxes[2]->setValue(10);
+    boxes[3]->setValue(30);
+    boxes[4]->setValue(10);
+    dialog->findChild<QLineEdit*>("path")->setText(
+        QString::fromStdString(folder().Path("frames/")));
+    line = dialog->findChild<QPlainTextEdit*>()->toPlainText().toStdString();
+    dialog->accept();
+  });
+  EXPECT_THAT(line, testing::HasSubstr("loopscope film "));
+  EXPECT_THAT(line, testing::HasSubstr("--steps 10:30:10"));
+  EXPECT_EQ(window().message(), "");
+  for (const char* frame : {"frame_000000.png", "frame_000001.png", "frame_000002.png"}) {
+    EXPECT_EQ(ReadPng(folder().Path(std::string("frames/") + frame)).width, Asked().width);
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder().Path("frames/frame_000003.png")));
+}
+
+TEST_F(ExportingTest, AFilmThatIsStoppedIsNoError) {
+  InDialog(
+      [&](QDialog* dialog) {
+        dialog->findChild<QComboBox*>()->setCurrentIndex(1);
+        dialog->findChild<QLineEdit*>("path")->setText(
+            QString::fromStdString(folder().Path("frames/")));
+        QTimer::singleShot(0, dialog, &QDialog::accept);
+      },
+      /*wait=*/false);
+  EXPECT_FALSE(window().IsIdle());
+  WaitFor([&] { return std::filesystem::exists(folder().Path("frames")); }, "it films");
+  Play({"file.stop_export"});
+  EXPECT_EQ(window().message(), "");
 }
 
 TEST_F(ExportingTest, TheCopiedCommandLineDrawsTheSamePicture) {

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QPushButton>
+#include <QtTest>
 #include <set>
 
 #include "core/io/recording_file.h"
@@ -64,6 +65,15 @@ TEST_F(OpeningTest, WhatWasMappedStaysWhenMappingIsStopped) {
   EXPECT_LT(session().last_step() + 1, static_cast<int>(session().recording().log().scans.size()));
   Play({"step.first"});
   EXPECT_EQ(state().step, 0);
+}
+
+TEST_F(OpeningTest, AFileWhoseReadingIsStoppedIsNotOpened) {
+  window().Run("file.open " + SmallLoopRecording());
+  window().Run("file.stop_mapping");
+  QTest::qWait(1000);
+  EXPECT_FALSE(session().has_recording());
+  OpenSmallLoop();
+  EXPECT_TRUE(session().has_recording());
 }
 
 TEST_F(OpeningTest, AnotherFileReplacesTheOneThatIsMapped) {

@@ -35,6 +35,27 @@ TEST_F(SettingsTest, RecentFilesAreThereInTheNextWindow) {
   EXPECT_FALSE(session().has_recording());
 }
 
+TEST_F(SettingsTest, AFileThatCannotBeOpenedIsNotRemembered) {
+  window().Run("file.open " + folder().Path("missing.loopscope"));
+  WaitUntilIdle();
+  EXPECT_EQ(RecentFiles(), QStringList());
+}
+
+TEST_F(SettingsTest, DocksThatWereClosedAndTornOffComeBackToWhereTheyWere) {
+  OpenSmallLoop();
+  const Picture first = Screenshot();
+  auto* const layers = window().findChild<QDockWidget*>("Layers");
+  auto* const loops = window().findChild<QDockWidget*>("Loops");
+  layers->close();
+  loops->setFloating(true);
+  OpenWindowAnew();
+  OpenSmallLoop();
+  EXPECT_TRUE(window().findChild<QDockWidget*>("Layers")->isHidden()) << "it is remembered";
+  EXPECT_TRUE(window().findChild<QDockWidget*>("Loops")->isFloating()) << "likewise";
+  Play({"window.reset_layout"});
+  ExpectSame(Screenshot(), first, "reset_layout");
+}
+
 TEST_F(SettingsTest, ADarkWindowIsDarkTheNextTime) {
   Play({"window.dark"});
   OpenWindowAnew();

@@ -31,12 +31,14 @@ class Monkey {
     const int num_loops = static_cast<int>(recording.candidates().size());
     switch (Below(15)) {
       case 0:
-        return OneOf(
-            {"view.map", "view.submap", "view.update", "view.match", "view.search", "view.graph"});
+        return OneOf({"view.map", "view.submap", "view.update", "view.match", "view.search",
+                      "view.graph", "view.time", "view.chart", "chart.kind residuals",
+                      "chart.kind score-histogram"});
       case 1:
         return OneOf({"tiles.one", "tiles.two", "tiles.four", "tile.next"});
       case 2:
-        return "select.pair " + Number(num_nodes) + " " + Number(num_submaps);
+        return OneOf({"select.pair " + Number(num_nodes) + " " + Number(num_submaps),
+                      "select.loops " + Number(num_loops) + " " + Number(num_loops)});
       case 3:
         return "go.loop " + Number(num_loops);
       case 4:
@@ -49,7 +51,7 @@ class Monkey {
                       "table.sort nodes time", "table.sort_down loops residual"});
       case 7:
         return OneOf({"layer.toggle grid", "layer.toggle trajectory", "layer.toggle scan",
-                      "layer.toggle inter"});
+                      "layer.toggle inter", "window.dark", "window.light"});
       case 8:
         return OneOf({"edit.undo", "edit.undo", "edit.redo"});
       case 9:

@@ -26,8 +26,8 @@ class TablesTest : public WindowFixture {
     return "";
   }
 
-  void ClickRow(QTableView* table, int row) {
-    QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, MiddleOf(table, row));
+  void ClickRow(QTableView* table, int row, Qt::KeyboardModifiers modifiers = {}) {
+    QTest::mouseClick(table->viewport(), Qt::LeftButton, modifiers, MiddleOf(table, row));
     WaitUntilIdle();
   }
 
@@ -88,6 +88,22 @@ TEST_F(TablesTest, ADoubleClickOnALoopGoesToItsStepAndFramesIt) {
   ASSERT_TRUE(candidate.has_value());
   EXPECT_EQ(session().recording().candidates()[*candidate].verdict, Verdict::kAccepted);
   ExpectWindow("loop_framed");
+}
+
+TEST_F(TablesTest, SeveralClickedLoopsAreMarkedAtOnce) {
+  OpenSmallLoop();
+  TypeQuery("Loops", "verdict = closed");
+  Play({"view.graph"});
+  QTableView* const table = Table("Loops");
+  ClickRow(table, 3);
+  ClickRow(table, 0, Qt::ControlModifier);
+  ClickRow(table, 1, Qt::ControlModifier);
+  EXPECT_EQ(std::to_string(state().node->index), CellText(table, 1, "node")) << "the last one";
+  EXPECT_EQ(state().loops.size(), 2u);
+  EXPECT_EQ(table->selectionModel()->selectedRows().size(), 3);
+  ExpectWindow("loops_marked");
+  ClickRow(table, 2);
+  EXPECT_TRUE(state().loops.empty());
 }
 
 TEST_F(TablesTest, ATypedFilterListsTheRowsThatFit) {

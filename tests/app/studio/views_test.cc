@@ -5,6 +5,9 @@
 #include "app/studio/layers_panel.h"
 #include "app/studio/search_bar.h"
 #include "app/studio/tile.h"
+#include "render/charts/recording_charts.h"
+#include "render/layout.h"
+#include "render/views/chart_plot.h"
 #include "tests/app/studio/window_fixture.h"
 
 namespace loopscope {
@@ -48,6 +51,20 @@ class ViewsTest : public WindowFixture {
     return origin + QPoint(qRound(pixels.x()), qRound(-pixels.y()));
   }
 
+  /// Where values of the chart are in the first view.
+  QPoint PixelInChart(double x, double y) {
+    const ViewRequest& request = Asked();
+    const Panel panel = BuildScene(session().recording(), request).panels.front();
+    const SheetSize size = MakeSheetSize(request.width, request.height, 1, request.text_height);
+    const ChartData data = ChartOf(session().recording(), request.chart, *request.step);
+    const Eigen::Vector2d place = PlaceChart(data, panel.frame.width / panel.frame.height,
+                                             TextStyleOf(size, {}), panel.camera.meters_per_pixel)
+                                      .plot.At(x, y);
+    const Eigen::Vector2d pixels = (place - panel.camera.center) / panel.camera.meters_per_pixel;
+    return QPoint(qRound(panel.frame.center_x() + pixels.x()),
+                  View()->height() - qRound(panel.frame.center_y() + pixels.y()));
+  }
+
   void Wheel(const QPoint& position, int steps) {
     QWheelEvent event(position, View()->mapToGlobal(position), {}, {0, 120 * steps}, Qt::NoButton,
                       Qt::NoModifier, Qt::NoScrollPhase, false);
@@ -55,11 +72,12 @@ class ViewsTest : public WindowFixture {
   }
 };
 
-TEST_F(ViewsTest, KeysShowTheSixViews) {
+TEST_F(ViewsTest, KeysShowTheViews) {
   GoToLoop();
   const ViewKind kinds[] = {ViewKind::kMap,   ViewKind::kSubmap, ViewKind::kUpdate,
-                            ViewKind::kMatch, ViewKind::kSearch, ViewKind::kGraph};
-  for (int i = 0; i < 6; ++i) {
+                            ViewKind::kMatch, ViewKind::kSearch, ViewKind::kGraph,
+                            ViewKind::kTime,  ViewKind::kChart};
+  for (int i = 0; i < 8; ++i) {
     QTest::keyClick(&window(), Qt::Key(Qt::Key_1 + i));
     WaitUntilIdle();
     EXPECT_EQ(state().tiles.front(), kinds[i]);
@@ -160,6 +178,50 @@ TEST_F(ViewsTest, SlidersShowAPartOfASearch) {
   sliders.front()->setValue(sliders.front()->maximum());
   WaitUntilIdle();
   EXPECT_FALSE(Asked().search.num_visits.has_value());
+}
+
+TEST_F(ViewsTest, SlidersRestWhereNoSearchIsShown) {
+  auto* const bar = Find<SearchBar>(&window());
+  Play({"step.first", "view.search"});
+  EXPECT_FALSE(bar->isEnabled());
+  GoToLoop();
+  EXPECT_TRUE(bar->isEnabled());
+}
+
+TEST_F(ViewsTest, APointOfAChartSelectsItsLoopAndADoubleClickGoesThere) {
+  Play({"view.chart"});
+  const auto& candidates = session().recording().candidates();
+  const auto loop = std::find_if(candidates.begin(), candidates.end(),
+                                 [](const auto& c) { return c.verdict == Verdict::kAccepted; });
+  const QPoint place = PixelInChart(loop->considered_step, loop->score);
+  const int step = state().step;
+  QTest::mouseClick(View(), Qt::LeftButton, {}, place);
+  WaitUntilIdle();
+  ASSERT_TRUE(session().SelectedCandidate().has_value());
+  const LoopCandidate& selected = candidates[*session().SelectedCandidate()];
+  EXPECT_NEAR(selected.score, loop->score, 0.02);
+  EXPECT_NEAR(selected.considered_step, loop->considered_step, 5);
+  EXPECT_EQ(state().step, step);
+  ExpectWindow("chart_point_selected");
+  QTest::mouseDClick(View(), Qt::LeftButton, {}, place);
+  WaitUntilIdle();
+  EXPECT_EQ(state().step, std::max(selected.considered_step, selected.applied_step));
+}
+
+TEST_F(ViewsTest, ABarOfAHistogramListsItsLoops) {
+  Play({"view.chart", "chart.kind residual-histogram"});
+  const ChartData data =
+      ChartOf(session().recording(), ChartKind::kResidualHistogram, state().step);
+  const ChartBar bar = data.series.front().bars.front();
+  QTest::mouseClick(View(), Qt::LeftButton, {},
+                    PixelInChart(std::sqrt(bar.begin * bar.end), 0.5 * (bar.low + bar.high)));
+  WaitUntilIdle();
+  EXPECT_EQ(state().tables.at(TableKind::kLoops).filter.rfind("residual ", 0), 0u);
+  const int num_rows = Find<QTableView>(Raise("Loops"))->model()->rowCount();
+  EXPECT_GE(num_rows, bar.high - bar.low) << "a filter rounds to the digits shown";
+  const auto& candidates = session().recording().candidates();
+  EXPECT_LT(num_rows, std::count_if(candidates.begin(), candidates.end(),
+                                    [](const auto& c) { return c.verdict == Verdict::kAccepted; }));
 }
 
 TEST_F(ViewsTest, FFramesTheSelection) {

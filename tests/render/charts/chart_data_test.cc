@@ -42,18 +42,39 @@ TEST(ChartAxisTest, PlacesValuesEvenlyOrByTheirLogarithm) {
   EXPECT_DOUBLE_EQ(decades.PlaceOf(0.0), 0.0);
 }
 
-TEST(CandidateAtTest, IsTheNearestOneWithinReach) {
-  const ChartData data = TwoPoints();
-  EXPECT_EQ(CandidateAt(data, 50.1, 10.0), 7);
-  EXPECT_EQ(CandidateAt(data, 50.8, 10.0), 8);
-  EXPECT_EQ(CandidateAt(data, 49.0, 10.3), 7);
+TEST(ChartAxisTest, GivesBackTheValueOfAPlace) {
+  for (const bool logarithmic : {false, true}) {
+    const ChartAxis axis{"", 0.01, 100.0, logarithmic};
+    for (const double value : {0.01, 0.3, 42.0}) {
+      EXPECT_NEAR(axis.ValueAt(axis.PlaceOf(value)), value, 1e-9);
+    }
+  }
 }
 
-TEST(CandidateAtTest, IsNoneFarFromAllPoints) {
+TEST(PointAtTest, IsTheNearestOneWithinReach) {
   const ChartData data = TwoPoints();
-  EXPECT_EQ(CandidateAt(data, 47.0, 10.0), std::nullopt);
-  EXPECT_EQ(CandidateAt(data, 50.0, 14.0), std::nullopt);
-  EXPECT_EQ(CandidateAt(ChartData(), 0.5, 0.5), std::nullopt);
+  EXPECT_EQ(PointAt(data, 50.1, 10.0)->candidate, -1);
+  EXPECT_EQ(PointAt(data, 50.8, 10.0)->candidate, 8);
+  EXPECT_EQ(PointAt(data, 49.0, 10.3)->candidate, 7);
+}
+
+TEST(PointAtTest, IsNoneFarFromAllPoints) {
+  const ChartData data = TwoPoints();
+  EXPECT_FALSE(PointAt(data, 47.0, 10.0).has_value());
+  EXPECT_FALSE(PointAt(data, 50.0, 14.0).has_value());
+  EXPECT_FALSE(PointAt(ChartData(), 0.5, 0.5).has_value());
+}
+
+TEST(BarAtTest, IsTheOneOfAPileUnderThePoint) {
+  ChartData data;
+  ChartSeries lower, upper;
+  lower.bars = {{0.0, 1.0, 0.0, 2.0}};
+  upper.bars = {{0.0, 1.0, 2.0, 5.0}};
+  data.series = {lower, upper};
+  EXPECT_EQ(BarAt(data, 0.5, 1.0)->high, 2.0);
+  EXPECT_EQ(BarAt(data, 0.5, 4.0)->high, 5.0);
+  EXPECT_FALSE(BarAt(data, 0.5, 6.0).has_value());
+  EXPECT_FALSE(BarAt(data, 1.5, 1.0).has_value());
 }
 
 }  // namespace

@@ -19,6 +19,11 @@ struct Ask : ViewRequest {
   Ask& Submap(int value) { return submap = SubmapId{value}, *this; }
   Ask& Size(int w, int h) { return width = w, height = h, *this; }
   Ask& ColorBlind() { return theme = Theme::kColorBlind, *this; }
+  Ask& Dark() { return theme = Theme::kDark, *this; }
+  Ask& Plain() { return plain = true, *this; }
+  Ask& AtLeast(double meters_wide, double meters_high) {
+    return width_in_meters = meters_wide, height_in_meters = meters_high, *this;
+  }
   Ask& Title(const char* value) { return title = value, *this; }
   Ask& Around(double x, double y, double meters) {
     return center = Eigen::Vector2d(x, y), width_in_meters = meters, *this;
@@ -53,6 +58,7 @@ PICTURE(map_at_first_step, Ask(V::kMap).Step(0))
 PICTURE(map_before_loops, Ask(V::kMap).Step(120))
 PICTURE(map_tiny, Ask(V::kMap).Size(320, 240))
 PICTURE(map_tall, Ask(V::kMap).Size(480, 800))
+PICTURE(map_dark, Ask(V::kMap).Dark().Node(122).Submap(1))
 PICTURE(map_close_up, Ask(V::kMap).Around(4.1, 0.8, 1.6).Title("A wall, cell by cell"))
 PICTURE(map_with_frames, Ask(V::kMap).Layers({L::kGrid, L::kFrames, L::kLabels}))
 PICTURE(map_with_selected_node, Ask(V::kMap).Step(120).Node(40))
@@ -64,9 +70,11 @@ PICTURE(update, Ask(V::kUpdate).Step(140))
 PICTURE(update_by_first_node, Ask(V::kUpdate).Node(0))
 PICTURE(update_tiny, Ask(V::kUpdate).Step(140).Size(320, 240))
 PICTURE(update_color_blind, Ask(V::kUpdate).Step(140).ColorBlind())
+PICTURE(update_dark, Ask(V::kUpdate).Step(140).Dark())
 PICTURE(match, Ask(V::kMatch).Step(140))
 PICTURE(match_tiny, Ask(V::kMatch).Step(140).Size(320, 240))
 PICTURE(match_color_blind, Ask(V::kMatch).Step(140).ColorBlind())
+PICTURE(match_dark, Ask(V::kMatch).Step(140).Dark())
 PICTURE(search, Ask(V::kSearch))
 PICTURE(search_in_vain, Ask(V::kSearch).Node(84).Submap(11))
 PICTURE(search_refused, Ask(V::kSearch).Node(16).Submap(0))
@@ -74,6 +82,7 @@ PICTURE(search_never_done, Ask(V::kSearch).Node(75).Submap(0))
 PICTURE(search_after_some_visits, Ask(V::kSearch).Visits(60))
 PICTURE(search_at_one_height, Ask(V::kSearch).Visits(200).Height(3).Size(1000, 600))
 PICTURE(search_at_one_angle, Ask(V::kSearch).Angle(1).ColorBlind())
+PICTURE(search_dark, Ask(V::kSearch).Dark())
 PICTURE(search_tiny, Ask(V::kSearch).Size(320, 240))
 PICTURE(graph, Ask(V::kGraph))
 PICTURE(graph_before_loops, Ask(V::kGraph).Step(120))
@@ -82,15 +91,18 @@ PICTURE(graph_with_selected_loop, Ask(V::kGraph).Node(122).Submap(1))
 PICTURE(graph_with_selected_submap, Ask(V::kGraph).Submap(3).ColorBlind())
 PICTURE(graph_tiny, Ask(V::kGraph).Size(320, 240))
 PICTURE(graph_color_blind, Ask(V::kGraph).ColorBlind())
+PICTURE(graph_plain, Ask(V::kGraph).Size(440, 160).AtLeast(3.0, 9.0).Plain())
 PICTURE(time, Ask(V::kTime))
 PICTURE(time_at_first_step, Ask(V::kTime).Step(0))
 PICTURE(time_from_above, Ask(V::kTime).From(0.0, 90.0))
 PICTURE(time_tiny, Ask(V::kTime).Size(320, 240))
 PICTURE(time_color_blind, Ask(V::kTime).From(70.0, 15.0).ColorBlind())
+PICTURE(time_with_selected_loop, Ask(V::kTime).Node(122).Submap(1))
 PICTURE(time_with_intra, Ask(V::kTime).Layers({L::kGrid, L::kIntra, L::kNodes, L::kLabels}))
 PICTURE(chart_scores, Ask(V::kChart))
 PICTURE(chart_scores_at_first_step, Ask(V::kChart).Step(0))
 PICTURE(chart_scores_color_blind, Ask(V::kChart).ColorBlind())
+PICTURE(chart_scores_dark, Ask(V::kChart).Node(122).Submap(1).Dark())
 PICTURE(chart_scores_tiny, Ask(V::kChart).Size(320, 240))
 PICTURE(chart_score_histogram, Ask(V::kChart).Chart(ChartKind::kScoreHistogram))
 PICTURE(chart_residuals, Ask(V::kChart).Chart(ChartKind::kResiduals))

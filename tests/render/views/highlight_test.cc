@@ -25,7 +25,7 @@ const Recording& SmallLoop() {
 
 /// The selection of a node and a submap after `step`; -1 is none, and the last step.
 Highlight Select(int node, int submap, int step = -1) {
-  GridCache cache(SmallLoop());
+  DerivedCache cache(SmallLoop());
   const MapState state = StateAfterStep(SmallLoop(), step < 0 ? SmallLoop().num_steps() - 1 : step);
   ViewRequest request;
   if (node >= 0) request.node = NodeId{node};
@@ -96,6 +96,22 @@ TEST(HighlightOfTest, TellsOfASearchInVainThatItIsNoLoop) {
   const Highlight highlight = Select(candidate.node.index, candidate.submap.index);
   ASSERT_TRUE(highlight.link);
   EXPECT_THAT(highlight.link_text, StartsWith("no loop: below score, score 0."));
+}
+
+TEST(HighlightOfTest, HasTheLinksOfTheLoopsThatAreMarkedBesideIt) {
+  const LoopCandidate& loop = CandidateOf(Verdict::kAccepted);
+  DerivedCache cache(SmallLoop());
+  ViewRequest request;
+  request.marked = {{loop.node, loop.submap}};
+  const auto highlight_after = [&](int step) {
+    const MapState state = StateAfterStep(SmallLoop(), step);
+    return HighlightOf(SmallLoop(), request, state, PlacedGridsOf(&cache, state));
+  };
+  const Highlight highlight = highlight_after(SmallLoop().num_steps() - 1);
+  ASSERT_EQ(highlight.marked.size(), 1u);
+  EXPECT_EQ(highlight.marked.front().constraint.node, loop.node);
+  EXPECT_FALSE(highlight.empty());
+  EXPECT_TRUE(highlight_after(loop.applied_step - 1).empty()) << "not yet known";
 }
 
 TEST(HighlightOfTest, HasNoLinkBeforeTheLoopWasApplied) {
