@@ -14,8 +14,11 @@
 #include "app/cli/commands.h"
 #include "app/cli/evaluation.h"
 #include "app/cli/evaluation_report.h"
+#include "app/cli/picture_arguments.h"
+#include "app/cli/run_errors.h"
 #include "core/io/relations_file.h"
 #include "core/io/tum_file.h"
+#include "render/picture_format.h"
 
 namespace loopscope {
 namespace {
@@ -29,6 +32,8 @@ struct EvaluateArguments {
   std::pair<double, double> loop_tolerance = {kReferenceTolerance.translation,
                                               RadiansToDegrees(kReferenceTolerance.rotation)};
   std::optional<double> max_error;
+  std::string plot;
+  PictureArguments picture;
   bool loops = false;
   bool json = false;
   bool csv = false;
@@ -72,15 +77,33 @@ bool IsWithin(const Evaluation& evaluation, double max_error) {
          (!evaluation.trajectory || evaluation.trajectory->translation.rmse <= max_error);
 }
 
+void RequireOneRunToPlot(const EvaluateArguments& arguments) {
+  PictureFormatOf(arguments.plot);  // before the work begins
+  if (arguments.runs.size() == 1) return;
+  throw std::invalid_argument(
+      fmt::format("--plot draws one run, not {}; expected a single RUN", arguments.runs.size()));
+}
+
+void Plot(const EvaluatedRun& run, const Truth& truth, const EvaluateArguments& arguments) {
+  ViewRequest request;
+  ApplyTo(arguments.picture, &request);
+  DrawScene(BuildErrorView(RunErrorsOf(run, truth), request, OversamplingOf(request)),
+            BackendFromName(arguments.picture.backend), arguments.plot);
+}
+
 int RunEvaluate(const EvaluateArguments& arguments) {
+  if (!arguments.plot.empty()) RequireOneRunToPlot(arguments);
   const Truth truth = ReadTruth(arguments);
   if (arguments.max_error && truth.empty()) {
     throw std::invalid_argument(
         "nothing to compare with for --max-error; expected --relations or --reference");
   }
   std::vector<Evaluation> evaluations;
-  for (const std::string& run : arguments.runs)
-    evaluations.push_back(Evaluate(LoadRun(run), truth));
+  for (const std::string& path : arguments.runs) {
+    const EvaluatedRun run = LoadRun(path);
+    evaluations.push_back(Evaluate(run, truth));
+    if (!arguments.plot.empty()) Plot(run, truth, arguments);
+  }
   Print(evaluations, arguments);
   if (!arguments.max_error) return 0;
   for (const Evaluation& evaluation : evaluations) {
@@ -136,6 +159,12 @@ void AddEvaluateCommand(CLI::App* app, int* exit_code) {
   AddTruth(command, arguments.get());
   command->add_flag("--loops", arguments->loops,
                     "List the loops that the reference says are false, and those that are missed");
+  command
+      ->add_option("--plot", arguments->plot,
+                   "Draw the way in the colours of its errors, and their histograms: a PNG, SVG or "
+                   "PDF")
+      ->type_name("FILE");
+  AddPictureArguments(command, &arguments->picture);
   CLI::Option* const json = command->add_flag("--json", arguments->json, "Print JSON");
   command->add_flag("--csv", arguments->csv, "Print CSV")->excludes(json);
   command->callback([arguments, exit_code] { *exit_code = RunEvaluate(*arguments); });

@@ -28,12 +28,18 @@ LoopEvaluation EvaluateLoops(const Recording& recording, const MapState& state,
   const std::vector<JudgedLoop> loops = JudgeLoops(recording, state, reference);
   LoopEvaluation evaluation;
   evaluation.counts = CountLoops(loops, truth.loop_tolerance);
+  std::vector<JudgedLoop> accepted, held;  // without those that are wrong
   for (const JudgedLoop& loop : loops) {
-    if (IsWrong(loop, truth.loop_tolerance)) evaluation.wrong.push_back(loop);
+    const bool is_wrong = IsWrong(loop, truth.loop_tolerance);
+    if (is_wrong && loop.IsInForce()) evaluation.wrong.push_back(loop);
+    if (!is_wrong) accepted.push_back(loop);
+    if (!is_wrong && loop.IsInForce()) held.push_back(loop);
   }
   const std::vector<Revisit> revisits = RevisitsOf(recording, reference);
   evaluation.num_revisits = static_cast<int>(revisits.size());
-  evaluation.missed = MissedRevisits(recording, revisits, loops, truth.loop_tolerance);
+  evaluation.num_never_accepted =
+      static_cast<int>(RevisitsWithout(recording, accepted, revisits).size());
+  evaluation.missed = RevisitsWithout(recording, held, revisits);
   return evaluation;
 }
 

@@ -39,8 +39,9 @@ EvaluatedRun LoadRun(const std::string& path);
 struct LoopEvaluation {
   LoopCounts counts;
   std::vector<JudgedLoop> wrong;  ///< in force, and out of tolerance
-  int num_revisits = 0;           ///< 0 without a reference, as the next
-  std::vector<Revisit> missed;
+  int num_revisits = 0;           ///< 0 without a reference, as the next two
+  int num_never_accepted = 0;     ///< revisits without any loop but wrong ones
+  std::vector<Revisit> missed;    ///< likewise, as far as they are in force
 };
 
 /// All that can be said of one run.

@@ -81,6 +81,8 @@ void AddFigures(const LoopEvaluation& loops, Figures* figures) {
     figures->push_back({"revisits", static_cast<double>(loops.num_revisits)});
   }
   AddShare("loop_recall", num_closed, loops.num_revisits, figures);
+  AddShare("loop_recall_accepted", loops.num_revisits - loops.num_never_accepted,
+           loops.num_revisits, figures);
 }
 
 void AddFigures(const MapQuality& map, Figures* figures) {
@@ -127,6 +129,7 @@ constexpr Column kColumns[] = {{"relat. [m]", "translation_mean_m", 1.0, 4},
                                {"self [%]", "loops_self_consistent", 100.0, 1},
                                {"true [%]", "loop_precision", 100.0, 1},
                                {"recall [%]", "loop_recall", 100.0, 1},
+                               {"accepted", "loop_recall_accepted", 100.0, 1},
                                {"wall [mm]", "wall_thickness_m", 1000.0, 1},
                                {"entropy", "mean_map_entropy_nats", 1.0, 3},
                                {"disagree [%]", "map_disagreement", 100.0, 1}};

@@ -46,10 +46,9 @@ void ApplyTo(const PictureArguments& arguments, ViewRequest* request) {
   const auto height = ParseInt(size.substr(std::min(cross + 1, size.size())));
   if (!width || !height || *width < kMinPictureWidth || *height < kMinPictureHeight ||
       *width > kMaxPictureSide || *height > kMaxPictureSide) {
-    throw std::invalid_argument(
-        fmt::format("--size {}: expected width and height in pixels, {}x{} to {}x{}",
-                    arguments.size, kMinPictureWidth, kMinPictureHeight, kMaxPictureSide,
-                    kMaxPictureSide));
+    throw std::invalid_argument(fmt::format(
+        "--size {}: expected width and height in pixels, {}x{} to {}x{}", arguments.size,
+        kMinPictureWidth, kMinPictureHeight, kMaxPictureSide, kMaxPictureSide));
   }
   request->width = *width;
   request->height = *height;
@@ -58,16 +57,19 @@ void ApplyTo(const PictureArguments& arguments, ViewRequest* request) {
   request->text_height = arguments.text_height;
 }
 
-void DrawPicture(const Recording& recording, const ViewRequest& request, Backend backend,
-                 const std::string& path) {
+void DrawScene(const Scene& scene, Backend backend, const std::string& path) {
   const PictureFormat format = PictureFormatOf(path);
   if (format == PictureFormat::kPng) {
-    WritePng(Painter(backend).Draw(recording, request), path);
+    WritePng(Painter(backend).Draw(scene), path);
     return;
   }
-  const Scene scene = BuildScene(recording, request, OversamplingOf(request));
   ReplaceFile(path, EncodeVectorPicture(scene, format == PictureFormat::kSvg ? VectorFormat::kSvg
                                                                              : VectorFormat::kPdf));
+}
+
+void DrawPicture(const Recording& recording, const ViewRequest& request, Backend backend,
+                 const std::string& path) {
+  DrawScene(BuildScene(recording, request, OversamplingOf(request)), backend, path);
 }
 
 }  // namespace loopscope

@@ -69,7 +69,7 @@ bool IsWithin(const Pose2& error, const LoopTolerance& tolerance) {
 }
 
 bool IsWrong(const JudgedLoop& loop, const LoopTolerance& tolerance) {
-  return loop.IsInForce() && loop.error && !IsWithin(*loop.error, tolerance);
+  return loop.error && !IsWithin(*loop.error, tolerance);
 }
 
 std::vector<JudgedLoop> JudgeLoops(const Recording& recording, const MapState& state,

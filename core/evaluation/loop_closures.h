@@ -49,7 +49,7 @@ struct JudgedLoop {
 
 bool IsWithin(const Pose2& error, const LoopTolerance& tolerance);
 
-/// In force although it is known to be out of `tolerance`.
+/// Known to be out of `tolerance`.
 bool IsWrong(const JudgedLoop& loop, const LoopTolerance& tolerance);
 
 /// All accepted loops of the state, in the order in which they were applied. `reference` holds a

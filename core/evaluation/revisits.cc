@@ -147,23 +147,21 @@ std::vector<Revisit> RevisitsOf(const Recording& recording, const ReferencePoses
   return revisits;
 }
 
-std::vector<Revisit> MissedRevisits(const Recording& recording,
-                                    const std::vector<Revisit>& revisits,
-                                    const std::vector<JudgedLoop>& loops,
-                                    const LoopTolerance& tolerance) {
-  std::set<SubmapPair> closed;
+std::vector<Revisit> RevisitsWithout(const Recording& recording,
+                                     const std::vector<JudgedLoop>& loops,
+                                     const std::vector<Revisit>& revisits) {
+  std::set<SubmapPair> tied;
   for (const JudgedLoop& loop : loops) {
-    if (!loop.IsInForce() || IsWrong(loop, tolerance)) continue;
     const Node& node = recording.node(loop.node);
     for (int submap = node.first_submap.index; LiesIn(node, submap); ++submap) {
-      closed.insert(std::minmax({loop.submap.index, submap}));
+      tied.insert(std::minmax({loop.submap.index, submap}));
     }
   }
-  std::vector<Revisit> missed;
+  std::vector<Revisit> others;
   for (const Revisit& revisit : revisits) {
-    if (closed.count({revisit.first.index, revisit.second.index}) == 0) missed.push_back(revisit);
+    if (tied.count({revisit.first.index, revisit.second.index}) == 0) others.push_back(revisit);
   }
-  return missed;
+  return others;
 }
 
 }  // namespace loopscope

@@ -31,11 +31,9 @@ struct Revisit {
 std::vector<Revisit> RevisitsOf(const Recording& recording, const ReferencePoses& reference,
                                 const RevisitOptions& options = {});
 
-/// Those without a loop in force, and within `tolerance` as far as it is judged, from one submap to
-/// a node of the other.
-std::vector<Revisit> MissedRevisits(const Recording& recording,
-                                    const std::vector<Revisit>& revisits,
-                                    const std::vector<JudgedLoop>& loops,
-                                    const LoopTolerance& tolerance);
+/// Those without any of `loops` from one submap to a node of the other.
+std::vector<Revisit> RevisitsWithout(const Recording& recording,
+                                     const std::vector<JudgedLoop>& loops,
+                                     const std::vector<Revisit>& revisits);
 
 }  // namespace loopscope
