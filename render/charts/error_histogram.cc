@@ -45,10 +45,8 @@ ChartData ErrorHistogram(const std::string& title, const std::vector<double>& va
     highest = std::max(highest, counts[i]);
   }
   const double rmse = RootMeanSquare(values);
-  const bool has_larger =
-      std::any_of(values.begin(), values.end(), [max](double value) { return value > max; });
   return {title,
-          {title + (has_larger ? ", last bar: and more" : ""), 0.0, max, false},
+          {title, 0.0, max, false},
           {"count", 0.0, static_cast<double>(highest), false},
           {series},
           {{rmse, true, fmt::format("rmse {:.3g}", rmse)}}};

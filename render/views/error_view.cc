@@ -30,6 +30,10 @@ std::vector<double> DegreesOf(const RunErrors& errors) {
   return values;
 }
 
+bool HasLarger(const std::vector<double>& values, double scale) {
+  return std::any_of(values.begin(), values.end(), [scale](double value) { return value > scale; });
+}
+
 ColorBar ErrorBar(double scale, const Palette& palette) {
   return {
       "error [m]",
@@ -48,7 +52,7 @@ LayerKeys KeysOf(const RunErrors& errors, double scale, const Palette& palette) 
   return keys;
 }
 
-Annotation Describe(const RunErrors& errors) {
+Annotation Describe(const RunErrors& errors, bool has_larger) {
   Annotation annotation;
   annotation.title = "Errors";
   annotation.subtitle = {errors.run, errors.measure};
@@ -60,6 +64,7 @@ Annotation Describe(const RunErrors& errors) {
   annotation.facts.push_back({"worst", LengthText(worst->translation)});
   annotation.facts.push_back(
       {"at", fmt::format("({:.1f}, {:.1f}) m", worst->position.x(), worst->position.y())});
+  if (has_larger) annotation.facts.push_back({"last bars", "and more"});
   return annotation;
 }
 
@@ -103,7 +108,7 @@ void DrawSamples(const RunErrors& errors, double scale, Sheet* sheet) {
   sheet->Add(0, LayerKind::kTrajectory,
              [&] { return TrajectoryLayer(errors.reference, faint, sheet->Px(widths::kThin)); });
   sheet->Add(0, LayerKind::kNodes, [&] {
-    return SamplesLayer(errors, scale, sheet->palette().error, sheet->Px(1.4 * widths::kNode));
+    return SamplesLayer(errors, scale, sheet->palette().error, sheet->Px(1.8 * widths::kNode));
   });
 }
 
@@ -116,16 +121,18 @@ Scene BuildErrorView(const RunErrors& errors, const ViewRequest& request, int ov
   const std::vector<double> translations = TranslationsOf(errors);
   const std::vector<double> degrees = DegreesOf(errors);
   const double scale = ErrorScaleOf(translations);
+  const double degree_scale = ErrorScaleOf(degrees);
+  const bool has_larger = HasLarger(translations, scale) || HasLarger(degrees, degree_scale);
   Arrangement arrangement;
   arrangement.num_side_panels = 2;
-  Sheet sheet(style, oversampling, Describe(errors), KeysOf(errors, scale, PaletteOf(style.theme)),
-              arrangement);
+  Sheet sheet(style, oversampling, Describe(errors, has_larger),
+              KeysOf(errors, scale, PaletteOf(style.theme)), arrangement);
   DrawSamples(errors, scale, &sheet);
   if (sheet.num_panels() == 3) {
     DrawChart(ErrorHistogram("translation [m]", translations, scale), 1, sheet.OpenChart(1, {}),
               &sheet);
-    DrawChart(ErrorHistogram("rotation [deg]", degrees, ErrorScaleOf(degrees)), 2,
-              sheet.OpenChart(2, {}), &sheet);
+    DrawChart(ErrorHistogram("rotation [deg]", degrees, degree_scale), 2, sheet.OpenChart(2, {}),
+              &sheet);
   }
   return sheet.Finish();
 }

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/charts/error_histogram.h"
 
-#include <gmock/gmock.h>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace loopscope {
 namespace {
-
-using testing::HasSubstr;
 
 TEST(ErrorHistogram, CountsErrorsInBarsOfEqualWidth) {
   // Bars are 0.1 wide.
@@ -23,12 +22,10 @@ TEST(ErrorHistogram, CountsErrorsInBarsOfEqualWidth) {
   EXPECT_EQ(data.y.max, 2.0);
 }
 
-TEST(ErrorHistogram, SaysThatTheLastBarHasLargerOnesToo) {
+TEST(ErrorHistogram, CountsLargerOnesInTheLastBar) {
   const ChartData data = ErrorHistogram("error [m]", {3.95, 4.0, 70.0}, 4.0);
   ASSERT_EQ(data.series[0].bars.size(), 1u);
   EXPECT_EQ(data.series[0].bars[0].high, 3.0);
-  EXPECT_THAT(data.x.title, HasSubstr("and more"));
-  EXPECT_EQ(ErrorHistogram("error [m]", {3.95, 4.0}, 4.0).x.title, "error [m]");
 }
 
 TEST(ErrorHistogram, MarksTheRootMeanSquare) {
