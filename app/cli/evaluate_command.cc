@@ -112,6 +112,19 @@ int RunEvaluate(const EvaluateArguments& arguments) {
   return 0;
 }
 
+constexpr char kColumns[] =
+    "Columns: relat., [deg]: mean errors of the relations. ATE, RPE: root mean squares. loops: "
+    "INTER\n"
+    "constraints; held: those that the optimization weighs 0.5 or more (Huber). self: loops "
+    "within\n"
+    "20 cm and 1 deg of the optimized poses. true: of those held, within --loop-tolerance of the\n"
+    "reference. recall: of the pairs of submaps that the reference puts closer than 3 m, and that "
+    "see\n"
+    "the same, those tied by a loop that is held and not false; accepted: by any that is not "
+    "false.\n"
+    "wall, entropy: how thick walls are, and how blurred. disagree: what scans that see occupied\n"
+    "cells as free have of all that see these. '-': does not apply.";
+
 void AddTruth(CLI::App* command, EvaluateArguments* arguments) {
   command
       ->add_option("--relations", arguments->relations,
@@ -149,6 +162,7 @@ void AddTruth(CLI::App* command, EvaluateArguments* arguments) {
 void AddEvaluateCommand(CLI::App* app, int* exit_code) {
   CLI::App* const command = app->add_subcommand(
       "evaluate", "How good runs are: against what is known of the true way, and by themselves");
+  command->footer(kColumns);
   const auto arguments = std::make_shared<EvaluateArguments>();
   command
       ->add_option("RUN", arguments->runs,

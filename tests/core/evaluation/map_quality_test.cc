@@ -51,6 +51,7 @@ TEST(Crispness, OfNothingIsZero) {
   EXPECT_EQ(CrispnessOf({}).mean_map_entropy, 0.0);
   EXPECT_EQ(CrispnessOf(PointCloud(4, {1.0, 1.0})).wall_thickness, 0.0);
   EXPECT_EQ(CrispnessOf(PointCloud(40, {1.0, 1.0})).wall_thickness, 0.0);
+  EXPECT_EQ(CrispnessOf(PointCloud(40, {1.0, 1.0})).mean_map_entropy, 0.0);
 }
 
 TEST(MapQuality, SuffersFromWrongPoses) {

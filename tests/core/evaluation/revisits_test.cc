@@ -29,7 +29,7 @@ std::vector<Revisit> RevisitsOfLine(const Trajectory& reference, const RevisitOp
 
 TEST(Revisits, ArePairsOfSubmapsOfTheSamePlace) {
   const auto revisits = RevisitsOfLine(LineReference(), kSamePlace);
-  EXPECT_EQ(SubmapsOf(revisits), (Pairs{{0, 5}, {1, 4}, {2, 3}}));
+  ASSERT_EQ(SubmapsOf(revisits), (Pairs{{0, 5}, {1, 4}, {2, 3}}));
   EXPECT_NEAR(revisits[1].distance, 0.0, 1e-9);
   EXPECT_EQ(revisits[1].second_node.index, 23 - revisits[1].first_node.index);
 }
