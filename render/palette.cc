@@ -53,6 +53,7 @@ Palette DefaultPalette() {
   p.correlative = Rgb(0x9334e6);
   p.refined = Rgb(0x0b8043);
   p.bound = {{Rgb(0x440154), Rgb(0x3b528b), Rgb(0x21918c), Rgb(0x5ec962), Rgb(0xfde725)}};
+  p.error = {{Rgb(0x2f7fd0), Rgb(0x23a07a), Rgb(0xe0b000), Rgb(0xe8710a), Rgb(0xb51d1d)}};
   p.window = Rgb(0x1a73e8);
   p.expanded = Rgb(0x111111);
   p.hatch = WithOpacity(Rgb(0x3c444d), 0.55);
@@ -87,6 +88,7 @@ Palette ColorBlindPalette() {
   p.hit = kVermilion;
   p.miss = kSkyBlue;
   p.odds = {{kBlue, Rgb(0x9cc9ea), Rgb(0xf4f4f4), Rgb(0xf0b57a), Rgb(0xb04a00)}};
+  p.error = {{Rgb(0x86b6e8), Rgb(0xe0a000), Rgb(0xb04a00), Rgb(0x3d0c02)}};
   p.prior = kOrange;
   p.correlative = kPurple;
   p.refined = kBlue;

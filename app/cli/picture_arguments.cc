@@ -61,16 +61,19 @@ void ApplyTo(const PictureArguments& arguments, ViewRequest* request) {
   request->text_height = arguments.text_height;
 }
 
-void DrawPicture(const Recording& recording, const ViewRequest& request, Backend backend,
-                 const std::string& path) {
+void DrawScene(const Scene& scene, Backend backend, const std::string& path) {
   const PictureFormat format = PictureFormatOf(path);
   if (format == PictureFormat::kPng) {
-    WritePng(Painter(backend).Draw(recording, request), path);
+    WritePng(Painter(backend).Draw(scene), path);
     return;
   }
-  const Scene scene = BuildScene(recording, request, OversamplingOf(request));
   ReplaceFile(path, EncodeVectorPicture(scene, format == PictureFormat::kSvg ? VectorFormat::kSvg
                                                                              : VectorFormat::kPdf));
+}
+
+void DrawPicture(const Recording& recording, const ViewRequest& request, Backend backend,
+                 const std::string& path) {
+  DrawScene(BuildScene(recording, request, OversamplingOf(request)), backend, path);
 }
 
 }  // namespace loopscope

@@ -30,8 +30,11 @@ void AddPictureArguments(CLI::App* command, PictureArguments* arguments);
 /// Puts them into a request. Throws std::invalid_argument.
 void ApplyTo(const PictureArguments& arguments, ViewRequest* request);
 
-/// Draws the picture and writes it as PNG, SVG or PDF, as the name of the file ends. Throws
+/// Draws the scene and writes it as PNG, SVG or PDF, as the name of the file ends. Throws
 /// std::invalid_argument, std::runtime_error or FileError.
+void DrawScene(const Scene& scene, Backend backend, const std::string& path);
+
+/// Likewise, the picture of a view.
 void DrawPicture(const Recording& recording, const ViewRequest& request, Backend backend,
                  const std::string& path);
 

@@ -33,4 +33,10 @@ Statistics StatisticsOf(std::vector<double> values) {
   return statistics;
 }
 
+double PopulationDeviation(const Statistics& statistics) {
+  if (statistics.count < 2) return 0.0;
+  const auto n = static_cast<double>(statistics.count);
+  return statistics.standard_deviation * std::sqrt((n - 1.0) / n);
+}
+
 }  // namespace loopscope

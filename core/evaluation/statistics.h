@@ -17,6 +17,9 @@ struct Statistics {
   double max = 0.0;
 };
 
+/// The standard deviation with n instead of n - 1, as the TUM tools and evo have it.
+double PopulationDeviation(const Statistics& statistics);
+
 /// All zero if there are no values.
 Statistics StatisticsOf(std::vector<double> values);
 

@@ -6,9 +6,8 @@
 #include <fmt/format.h>
 
 #include "render/charts/recording_charts.h"
-#include "render/layers/outline.h"
 #include "render/number_text.h"
-#include "render/views/chart_plot.h"
+#include "render/views/chart_drawing.h"
 #include "render/views/selection.h"
 #include "render/views/sheet.h"
 #include "render/views/views.h"
@@ -66,48 +65,6 @@ std::set<int> MarkedCandidates(const Recording& recording, const ViewRequest& re
   return candidates;
 }
 
-/// A ring around each point that stands for one of `candidates`.
-void DrawMarks(const ChartData& data, const ChartPlot& plot, const std::set<int>& candidates,
-               Sheet* sheet) {
-  const double radius = sheet->Meters(0, 0.7 * widths::kMark);
-  for (const ChartSeries& series : data.series) {
-    for (const ChartPoint& point : series.points) {
-      if (candidates.count(point.candidate) == 0) continue;
-      sheet->Add(0, LayerKind::kSelection, [&] {
-        return CircleLayer(plot.At(point.x, point.y), radius, sheet->palette().selection,
-                           sheet->Px(widths::kBold));
-      });
-    }
-  }
-}
-
-void DrawChart(const ChartData& data, const std::set<int>& marked, double width, Sheet* sheet) {
-  const Palette& palette = sheet->palette();
-  const TextStyle style = TextStyleOf(sheet->size(), palette.faint_ink);
-  const double pixel = sheet->camera(0).meters_per_pixel;
-  const PlacedChart chart = PlaceChart(data, width, style, pixel);
-  const ChartPlot& plot = chart.plot;
-  sheet->Add(0, LayerKind::kGrid, [&] {
-    return ChartGridLayer(plot, chart.x_ticks, chart.y_ticks, palette.rule,
-                          sheet->Px(widths::kThin));
-  });
-  for (const ChartSeries& series : data.series) {
-    sheet->Add(0, LayerKind::kScan, [&] {
-      const double size = sheet->Px(series.joined ? 1.6 * widths::kNode : 1.2 * widths::kNode);
-      return ChartSeriesLayer(plot, series, ColorOf(series.subject, palette),
-                              {sheet->Px(widths::kLine), size, true});
-    });
-  }
-  DrawMarks(data, plot, marked, sheet);
-  sheet->Add(0, LayerKind::kLabels, [&] {
-    return ThresholdsLayer(plot, data.thresholds, palette.ink, sheet->Px(widths::kLine));
-  });
-  for (const auto& texts : ChartTexts(plot, data, chart.x_ticks, chart.y_ticks, style,
-                                      WithOpacity(palette.paper, 0.8), pixel)) {
-    sheet->Add(0, LayerKind::kLabels, [&] { return texts; });
-  }
-}
-
 }  // namespace
 
 Scene BuildChartView(const Recording& recording, const ViewRequest& request, int oversampling) {
@@ -115,7 +72,7 @@ Scene BuildChartView(const Recording& recording, const ViewRequest& request, int
   const ChartData data = ChartOf(recording, request.chart, step);
   Sheet sheet(request, oversampling, Describe(recording, data, step),
               KeysOf(data, PaletteOf(request.theme)));
-  DrawChart(data, MarkedCandidates(recording, request), sheet.OpenChart(0, {}), &sheet);
+  DrawChart(data, 0, sheet.OpenChart(0, {}), &sheet, MarkedCandidates(recording, request));
   return sheet.Finish();
 }
 

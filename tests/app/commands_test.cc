@@ -264,8 +264,55 @@ TEST_F(CommandTest, EvaluateMeasuresAgainstRelationsAndReference) {
               HasSubstr("run,relations,translation_mean_m"));
 }
 
+TEST_F(CommandTest, EvaluatePrintsALineForEachRun) {
+  const std::string truth = LOOPSCOPE_SOURCE_DIR "/datasets/office";
+  const std::string arguments = "evaluate run.loopscope " + truth + ".tum --relations " + truth +
+                                ".relations --reference " + truth + ".tum";
+  const std::string out = Run(arguments).out;
+  EXPECT_EQ(std::count(out.begin(), out.end(), '\n'), 3);
+  EXPECT_EQ(out.find("\nrun.loopscope "), out.find('\n'));
+  const std::string last_line = out.substr(out.find("office.tum"));
+  EXPECT_THAT(last_line, HasSubstr("0.0000"));
+  EXPECT_EQ(last_line.substr(last_line.size() - 3), " -\n");  // a trajectory has no map
+}
+
+TEST_F(CommandTest, EvaluateTellsOfARecordingWithoutAnyReference) {
+  const auto json = nlohmann::json::parse(Run("evaluate run.loopscope --json").out);
+  EXPECT_FALSE(json[0].contains("ate_rmse_m"));
+  EXPECT_FALSE(json[0].contains("loop_recall"));
+  EXPECT_GT(json[0].at("loops"), 0);
+  EXPECT_GT(json[0].at("loops_self_consistent"), 0.9);
+  EXPECT_GT(json[0].at("wall_thickness_m"), 0.001);
+  EXPECT_LT(json[0].at("wall_thickness_m"), 0.1);
+}
+
+TEST_F(CommandTest, EvaluatePlotsErrors) {
+  const std::string truth = LOOPSCOPE_SOURCE_DIR "/datasets/office";
+  const std::string plot = "evaluate run.loopscope --size 400x300 --plot ";
+  ASSERT_EQ(Run(plot + "a.png --reference " + truth + ".tum").exit_code, 0);
+  ASSERT_EQ(Run(plot + "b.png --relations " + truth + ".relations").exit_code, 0);
+  EXPECT_FALSE(ReadPng(folder_.Path("a.png")) == ReadPng(folder_.Path("b.png")));
+  ExpectRefused(plot + "c.png", "no errors to plot; expected --relations or --reference");
+  ExpectRefused("evaluate a b --plot c.png", "expected a single RUN");
+  ExpectRefused(plot + "c.jpg", "c.jpg");
+}
+
+TEST_F(CommandTest, EvaluateListsFalseAndMissedLoops) {
+  const std::string arguments =
+      "evaluate run.loopscope --loops --reference " LOOPSCOPE_SOURCE_DIR "/datasets/office.tum";
+  const auto json = nlohmann::json::parse(Run(arguments + " --json --loop-tolerance 0 0").out);
+  EXPECT_EQ(json[0].at("loop_precision"), 0.0);
+  EXPECT_EQ(json[0].at("false_loops").size(), json[0].at("loops_in_force"));
+  EXPECT_THAT(Run(arguments + " --loop-tolerance 0 0").out, HasSubstr("false   submap (0, "));
+  EXPECT_THAT(Run(arguments).out, HasSubstr(": 0 of "));
+}
+
 TEST_F(CommandTest, EvaluateRefusesWhatItCannotCompare) {
-  ExpectRefused("evaluate run.loopscope", "expected --relations or --reference");
+  folder_.Write("way.tum", "5 0 0 0 0 0 0 1\n6 0 0 0 0 0 0 1\n");
+  ExpectRefused("evaluate way.tum", "expected --relations or --reference");
+  ExpectRefused("evaluate run.loopscope --max-error 1", "expected --relations or --reference");
+  ExpectRefused("evaluate run.loopscope --delta 0", "--delta 0: expected metres above 0");
+  ExpectRefused("evaluate run.loopscope --delta 1.5 --delta-unit f", "a number of frames");
   ExpectRefused("evaluate run.loopscope --reference none.tum", "none.tum: cannot be opened");
   folder_.Write("other.tum", "5 0 0 0 0 0 0 1\n6 0 0 0 0 0 0 1\n");
   ExpectRefused("evaluate run.loopscope --reference other.tum", "nothing in common");

@@ -36,6 +36,14 @@ TEST(Relations, TheErrorIsTheMotionTimesTheInverseOfTheExpectedOne) {
   EXPECT_NEAR(error.rotation, -M_PI / 2.0, 1e-12);
 }
 
+TEST(Relations, ADisplacementIsRightEvenIfTheRotationIsWrong) {
+  const Relation turned{10.0, 12.0, Pose2(4.0, 0.0, M_PI / 2.0)};
+  EXPECT_NEAR(DisplacementErrorOf(turned, kTrajectory), 0.0, 1e-12);
+  EXPECT_NEAR(ErrorOf(turned, kTrajectory).translation.norm(), std::sqrt(32.0), 1e-12);
+  EXPECT_NEAR(DisplacementErrorOf({10.0, 12.0, Pose2(1.0, 4.0, 0.3)}, kTrajectory), 5.0, 1e-12);
+  EXPECT_NEAR(EvaluateRelations({turned}, kTrajectory).translation_apart.max, 0.0, 1e-12);
+}
+
 TEST(Relations, StatisticsAreOverAbsoluteAndSquaredErrors) {
   const RelationsError error = EvaluateRelations(
       {{10.0, 12.0, Pose2(3.0, 0.0, 0.0)}, {10.0, 12.0, Pose2(7.0, 0.0, -0.5)}}, kTrajectory);

@@ -28,6 +28,12 @@ TEST(Statistics, OfOneValueHaveNoDeviation) {
   EXPECT_EQ(StatisticsOf({5.0}).standard_deviation, 0.0);
 }
 
+TEST(Statistics, HaveADeviationOfThePopulationToo) {
+  EXPECT_DOUBLE_EQ(PopulationDeviation(StatisticsOf({4.0, 1.0, 2.0, 9.0})), std::sqrt(38.0 / 4.0));
+  EXPECT_EQ(PopulationDeviation(StatisticsOf({5.0})), 0.0);
+  EXPECT_EQ(PopulationDeviation(StatisticsOf({})), 0.0);
+}
+
 TEST(Statistics, OfNothingAreZero) { EXPECT_EQ(StatisticsOf({}).count, 0); }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/evaluation/trajectory_error.h"
 #include "render/headless/painter.h"
+#include "render/views/error_view.h"
 #include "tests/render/pictures/expect_picture.h"
 #include "tests/support/mapped_log.h"
 
@@ -118,6 +120,37 @@ TEST(PicturesTest, AreTheSameEachTime) {
   const Picture first = painter.Draw(SmallLoop(), Ask(V::kSearch));
   painter.Draw(SmallLoop(), Ask(V::kGraph).Size(500, 400));
   EXPECT_EQ(painter.Draw(SmallLoop(), Ask(V::kSearch)), first);
+}
+
+RunErrors ErrorsOfSmallLoop() {
+  const Recording& recording = SmallLoop();
+  RunErrors errors{"small_loop", "absolute trajectory error", {}, {}, {}, &recording};
+  const auto pairs = PairByTime(TrajectoryOf(recording), SimulateSmallLoop().ground_truth);
+  const Pose2 map_from_world = AlignToReference(pairs);
+  for (const PosePair& pair : pairs) {
+    const Pose2& map_from_base = pair.reference_from_base;
+    const Pose2 truth = map_from_world * pair.map_from_base;
+    errors.way.push_back(map_from_base);
+    errors.reference.push_back(truth);
+    errors.samples.push_back({map_from_base.translation,
+                              (truth.translation - map_from_base.translation).norm(),
+                              std::abs(NormalizeAngle(truth.rotation - map_from_base.rotation))});
+  }
+  return errors;
+}
+
+void ExpectErrors(const std::string& name, const RunErrors& errors, const ViewRequest& request) {
+  Painter painter(Backend::kOsmesa);
+  ExpectPicture(painter.Draw(BuildErrorView(errors, request, OversamplingOf(request))), name,
+                {LOOPSCOPE_SOURCE_DIR "/tests/baselines", LOOPSCOPE_BINARY_DIR "/pictures"});
+}
+
+TEST(PicturesTest, errors) { ExpectErrors("errors", ErrorsOfSmallLoop(), Ask(V::kMap)); }
+
+TEST(PicturesTest, errors_of_a_trajectory_tiny) {
+  RunErrors errors = ErrorsOfSmallLoop();
+  errors.recording = nullptr;
+  ExpectErrors("errors_of_a_trajectory_tiny", errors, Ask(V::kMap).Size(320, 240).ColorBlind());
 }
 
 }  // namespace

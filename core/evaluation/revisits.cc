@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/evaluation/revisits.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "core/grid/cell.h"
+#include "core/slam/derive.h"
+
+namespace loopscope {
+namespace {
+
+using SubmapPair = std::pair<int, int>;
+
+/// [m] that local SLAM went until each node.
+std::vector<double> WaysToNodes(const Recording& recording) {
+  std::vector<double> ways;
+  const std::vector<Node>& nodes = recording.nodes();
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    ways.push_back(i == 0 ? 0.0
+                          : ways.back() + (nodes[i].local_from_base.translation -
+                                           nodes[i - 1].local_from_base.translation)
+                                              .norm());
+  }
+  return ways;
+}
+
+bool LiesIn(const Node& node, int submap) {
+  return node.first_submap.index <= submap && submap < node.first_submap.index + node.num_submaps;
+}
+
+/// Keeps the nearest two nodes of each pair of submaps.
+class NearestNodes {
+ public:
+  explicit NearestNodes(const Recording& recording) : recording_(recording) {}
+
+  /// Node i < j.
+  void Add(int i, int j, double distance) {
+    const Node& first = recording_.nodes()[i];
+    const Node& second = recording_.nodes()[j];
+    for (int a = first.first_submap.index; LiesIn(first, a); ++a) {
+      for (int b = second.first_submap.index; LiesIn(second, b); ++b) {
+        if (LiesIn(second, a) || LiesIn(first, b)) continue;
+        if (recording_.submaps()[a].finished_step < 0) continue;  // then b has not finished either
+        AddTo(SubmapPair(a, b), i, j, distance);
+      }
+    }
+  }
+
+  std::vector<Revisit> ToRevisits() const {
+    std::vector<Revisit> revisits;
+    for (const auto& [submaps, revisit] : nearest_) revisits.push_back(revisit);
+    return revisits;
+  }
+
+ private:
+  void AddTo(const SubmapPair& submaps, int i, int j, double distance) {
+    const Revisit revisit{SubmapId{submaps.first}, SubmapId{submaps.second}, NodeId{i}, NodeId{j},
+                          distance};
+    const auto [entry, is_new] = nearest_.emplace(submaps, revisit);
+    if (!is_new && distance < entry->second.distance) entry->second = revisit;
+  }
+
+  const Recording& recording_;
+  std::map<SubmapPair, Revisit> nearest_;
+};
+
+/// Where the scans of submaps have returns in the reference, on a coarse lattice.
+class ReturnCells {
+ public:
+  ReturnCells(const Recording& recording, const ReferencePoses& reference)
+      : recording_(recording), reference_(reference) {}
+
+  /// The share of the returns of `node` that have one of `submap` in the same or a next cell.
+  double Overlap(SubmapId submap, NodeId node) {
+    const std::vector<CellIndex> cells = CellsOf(node);
+    if (cells.empty()) return 0.0;
+    const Keys& keys = KeysOf(submap);
+    const auto is_near = [&](CellIndex cell) {
+      for (int dx = -1; dx <= 1; ++dx) {
+        for (int dy = -1; dy <= 1; ++dy) {
+          if (keys.count({cell.x + dx, cell.y + dy}) > 0) return true;
+        }
+      }
+      return false;
+    };
+    return static_cast<double>(std::count_if(cells.begin(), cells.end(), is_near)) /
+           static_cast<double>(cells.size());
+  }
+
+ private:
+  using Keys = std::set<std::pair<int, int>>;
+
+  /// Of each return, which may be the same.
+  std::vector<CellIndex> CellsOf(NodeId node) const {
+    constexpr double kResolution = 0.25;  // [m]
+    std::vector<CellIndex> cells;
+    if (!reference_[node.index]) return cells;
+    const RangeData range_data = RangeDataOfStep(recording_, recording_.node(node).step);
+    for (const Eigen::Vector2d& point : range_data.returns) {
+      cells.push_back(CellOf(*reference_[node.index] * point, kResolution));
+    }
+    return cells;
+  }
+
+  const Keys& KeysOf(SubmapId id) {
+    const auto [entry, is_new] = keys_.try_emplace(id.index);
+    if (!is_new) return entry->second;
+    const Submap& submap = recording_.submap(id);
+    for (int i = 0; i < submap.num_nodes; ++i) {
+      for (const CellIndex cell : CellsOf(NodeId{submap.first_node.index + i})) {
+        entry->second.emplace(cell.x, cell.y);
+      }
+    }
+    return entry->second;
+  }
+
+  const Recording& recording_;
+  const ReferencePoses& reference_;
+  std::map<int, Keys> keys_;
+};
+
+}  // namespace
+
+std::vector<Revisit> RevisitsOf(const Recording& recording, const ReferencePoses& reference,
+                                const RevisitOptions& options) {
+  const std::vector<double> ways = WaysToNodes(recording);
+  NearestNodes nearest(recording);
+  for (int j = 0; j < static_cast<int>(reference.size()); ++j) {
+    for (int i = 0; reference[j] && i < j && ways[j] - ways[i] > options.min_way; ++i) {
+      if (!reference[i]) continue;
+      const double distance = (reference[i]->translation - reference[j]->translation).norm();
+      if (distance < options.max_distance) nearest.Add(i, j, distance);
+    }
+  }
+  std::vector<Revisit> revisits = nearest.ToRevisits();
+  ReturnCells cells(recording, reference);
+  const auto is_apart = [&](const Revisit& revisit) {
+    return cells.Overlap(revisit.first, revisit.second_node) < options.min_overlap &&
+           cells.Overlap(revisit.second, revisit.first_node) < options.min_overlap;
+  };
+  revisits.erase(std::remove_if(revisits.begin(), revisits.end(), is_apart), revisits.end());
+  return revisits;
+}
+
+std::vector<Revisit> RevisitsWithout(const Recording& recording,
+                                     const std::vector<JudgedLoop>& loops,
+                                     const std::vector<Revisit>& revisits) {
+  std::set<SubmapPair> tied;
+  for (const JudgedLoop& loop : loops) {
+    const Node& node = recording.node(loop.node);
+    for (int submap = node.first_submap.index; LiesIn(node, submap); ++submap) {
+      tied.insert(std::minmax({loop.submap.index, submap}));
+    }
+  }
+  std::vector<Revisit> others;
+  for (const Revisit& revisit : revisits) {
+    if (tied.count({revisit.first.index, revisit.second.index}) == 0) others.push_back(revisit);
+  }
+  return others;
+}
+
+}  // namespace loopscope
