@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "render/charts/recording_charts.h"
+#include "render/layers/chart_layers.h"
 #include "render/number_text.h"
 #include "render/views/chart_drawing.h"
 #include "render/views/selection.h"

@@ -8,6 +8,7 @@
 
 #include "render/charts/error_histogram.h"
 #include "render/layers/trajectory.h"
+#include "render/number_text.h"
 #include "render/views/chart_drawing.h"
 #include "render/views/grids.h"
 #include "render/views/pose_layers.h"
@@ -77,7 +78,7 @@ Extent ExtentOf(const RunErrors& errors) {
 
 std::vector<PlacedGrid> GridsOf(const Recording* recording) {
   if (recording == nullptr) return {};
-  GridCache cache(*recording);
+  DerivedCache cache(*recording);
   return PlacedGridsOf(&cache, StateAfterStep(*recording, recording->num_steps() - 1));
 }
 
