@@ -29,9 +29,9 @@ Options LoopscopePreset() {
   loops.min_relative_score = 0.75;
   loops.fast_correlative_scan_matcher.linear_search_window = 1.0;
   loops.fast_correlative_scan_matcher.angular_search_window = DegreesToRadians(5.0);
-  loops.linear_search_window_per_meter = 0.06;
-  loops.angular_search_window_per_meter = DegreesToRadians(0.06);
-  loops.max_linear_search_window = 40.0;
+  loops.linear_search_window_per_meter = 0.03;
+  loops.angular_search_window_per_meter = DegreesToRadians(0.04);
+  loops.max_linear_search_window = 20.0;
   loops.full_sampling_search_window = 4.0;
   loops.consistency.min_way = 0.5;
   loops.consistency.num_checked_neighbors = 6;

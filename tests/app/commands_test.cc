@@ -131,7 +131,7 @@ TEST_F(CommandTest, RenderDrawsAPartOfASearch) {
     EXPECT_EQ(run.exit_code, 0) << run.err;
   }
   ExpectRefused(render + "--visits -1", "visits -1 of the search: expected 0 to ");
-  ExpectRefused(render + "--height 7", "height 7 of the search: expected 0 to 6");
+  ExpectRefused(render + "--height 7", "height 7 of the search: expected 0 to 3");
   ExpectRefused(render + "--angle 200", "angle index 200 of the search: expected -");
   ExpectRefused("render run.loopscope --angle 1", "view map has no visits, heights or angles");
 }

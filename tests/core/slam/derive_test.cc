@@ -19,6 +19,8 @@ namespace {
 Options NarrowGateOptions() {
   Options options = SmallLoopOptions();
   options.pose_graph.constraint_builder.max_constraint_distance = 1.0;
+  // Neighbours that are checked are searched where another loop has them.
+  options.pose_graph.constraint_builder.consistency.num_checked_neighbors = 0;
   return options;
 }
 
