@@ -65,8 +65,8 @@ void BlockSystem::LayOutReduced() {
   for (Leaf& leaf : leaves_) {
     for (std::size_t b = 0; b < leaf.couplings.size(); ++b) {
       for (std::size_t a = 0; a <= b; ++a) {
-        leaf.complement.push_back(ReducedBlock(reduced_of_[leaf.couplings[b].to],
-                                               reduced_of_[leaf.couplings[a].to]));
+        leaf.complement.push_back(
+            ReducedBlock(reduced_of_[leaf.couplings[b].to], reduced_of_[leaf.couplings[a].to]));
       }
     }
   }

@@ -11,8 +11,8 @@
 namespace loopscope {
 
 /// A symmetric, positive definite system of linear equations, of 3 x 3 blocks, few of which are not
-/// zero. Unknowns of which no two are coupled ("leaves") are eliminated one by one (Schur complement);
-/// what remains is factorized by a sparse Cholesky whose order is chosen once.
+/// zero. Unknowns of which no two are coupled ("leaves") are eliminated one by one (Schur
+/// complement); what remains is factorized by a sparse Cholesky whose order is chosen once.
 class BlockSystem {
  public:
   /// Two unknowns with a block of their own off the diagonal: row > column.
@@ -51,7 +51,7 @@ class BlockSystem {
     int unknown = 0;
     std::vector<LeafCoupling> couplings;  ///< by the unknown at the other end
     std::vector<int> complement;  ///< its blocks in the reduced matrix, for each pair of couplings
-    Eigen::Matrix3d inverse;              ///< of its damped diagonal block
+    Eigen::Matrix3d inverse;      ///< of its damped diagonal block
   };
 
   void FindLeaves(int first_leaf);
@@ -70,10 +70,10 @@ class BlockSystem {
 
   // The reduced matrix, lower half: blocks on the diagonal, those of couplings between kept
   // unknowns, and those that leaves leave behind.
-  std::vector<Coupling> reduced_couplings_;  ///< row >= column, places in kept_
+  std::vector<Coupling> reduced_couplings_;                     ///< row >= column, places in kept_
   std::vector<std::vector<std::pair<int, int>>> reduced_rows_;  ///< of a column: row, block
-  std::vector<int> kept_couplings_;       ///< couplings between kept unknowns
-  std::vector<int> kept_coupling_block_;  ///< and their blocks
+  std::vector<int> kept_couplings_;                             ///< couplings between kept unknowns
+  std::vector<int> kept_coupling_block_;                        ///< and their blocks
   std::vector<Eigen::Matrix3d> reduced_blocks_;
   std::vector<int> value_of_;  ///< 9 for each block: where its entries stand in reduced_; -1: upper
   Eigen::SparseMatrix<double> reduced_;

@@ -68,8 +68,9 @@ class LeastSquares {
     double cost = 0.0;
     for (const Term& term : terms_) {
       const double square = WeightedError(term, poses).squaredNorm();
-      cost += 0.5 * (IsLinear(term, square) ? huber_scale_ * (2.0 * std::sqrt(square) - huber_scale_)
-                                            : square);
+      cost +=
+          0.5 * (IsLinear(term, square) ? huber_scale_ * (2.0 * std::sqrt(square) - huber_scale_)
+                                        : square);
     }
     return cost;
   }
@@ -81,7 +82,8 @@ class LeastSquares {
       Eigen::Vector3d error = WeightedError(term, poses);
       SpaDerivatives jacobian = DerivativesOfSpaError(poses.at(term.i), poses.at(term.j));
       const double square = error.squaredNorm();
-      const double scale = IsLinear(term, square) ? std::sqrt(huber_scale_ / std::sqrt(square)) : 1.0;
+      const double scale =
+          IsLinear(term, square) ? std::sqrt(huber_scale_ / std::sqrt(square)) : 1.0;
       error *= scale;
       jacobian.by_i = scale * term.weights.asDiagonal() * jacobian.by_i;
       jacobian.by_j = scale * term.weights.asDiagonal() * jacobian.by_j;
@@ -111,8 +113,8 @@ class LeastSquares {
     terms.reserve(graph.constraints.size() + graph.consecutive_nodes.size());
     const auto add = [&](int i, int j, const Pose2& i_from_j, double translation_weight,
                          double rotation_weight, bool robust) {
-      terms.push_back({i, j, i_from_j,
-                       {translation_weight, translation_weight, rotation_weight}, robust, -1});
+      terms.push_back(
+          {i, j, i_from_j, {translation_weight, translation_weight, rotation_weight}, robust, -1});
     };
     for (const Constraint& c : graph.constraints) {
       add(unknown(c.submap), unknown(c.node), c.submap_from_node, c.translation_weight,
@@ -176,8 +178,8 @@ Poses Moved(const Poses& poses, const Eigen::VectorXd& step) {
 GraphSolution ToSolution(const Poses& poses, int num_submaps, int num_iterations,
                          double initial_cost, double final_cost) {
   const auto first_node = poses.unknowns.begin() + (num_submaps - 1);
-  GraphSolution solution{{poses.held}, {first_node, poses.unknowns.end()}, num_iterations,
-                         initial_cost, final_cost};
+  GraphSolution solution{
+      {poses.held}, {first_node, poses.unknowns.end()}, num_iterations, initial_cost, final_cost};
   solution.global_from_submap.insert(solution.global_from_submap.end(), poses.unknowns.begin(),
                                      first_node);
   return solution;
@@ -261,7 +263,8 @@ GraphSolution SolveGraph(const GraphProblem& problem, const OptimizationProblemO
     std::optional<Trial> trial = TryStep(&least_squares, poses, cost, region);
     if (!trial || !(trial->gain > kMinGain)) {
       region.Shrink();
-      done = region.IsTooSmall() || (trial && std::abs(cost - trial->cost) <= kFunctionTolerance * cost);
+      done = region.IsTooSmall() ||
+             (trial && std::abs(cost - trial->cost) <= kFunctionTolerance * cost);
       continue;
     }
     region.Grow(trial->gain);

@@ -29,7 +29,8 @@ int NumSupporters(const LoopDrift& loop, const std::vector<LoopDrift>& others,
   int num_supporters = 0;
   double last_way = -std::numeric_limits<double>::infinity();
   for (const auto& [node, way] : way_of_node) {
-    if (std::abs(way - loop.node_way) < options.min_way || way - last_way < options.min_way) continue;
+    if (std::abs(way - loop.node_way) < options.min_way || way - last_way < options.min_way)
+      continue;
     last_way = way;
     ++num_supporters;
   }
@@ -43,9 +44,8 @@ std::vector<NodeId> NeighborsToCheck(NodeId node, const std::vector<NodeId>& lef
     return std::abs(node_ways[a.index] - node_ways[b.index]);
   };
   std::vector<NodeId> nearest_first = left_out;
-  std::stable_sort(nearest_first.begin(), nearest_first.end(), [&](NodeId a, NodeId b) {
-    return way_between(a, node) < way_between(b, node);
-  });
+  std::stable_sort(nearest_first.begin(), nearest_first.end(),
+                   [&](NodeId a, NodeId b) { return way_between(a, node) < way_between(b, node); });
   std::vector<NodeId> chosen;
   for (const NodeId neighbor : nearest_first) {
     if (static_cast<int>(chosen.size()) >= options.num_checked_neighbors) break;

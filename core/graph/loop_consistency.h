@@ -14,7 +14,7 @@ namespace loopscope {
 /// the frame of local SLAM, which hardly drifts over the short ways between the loops compared.
 struct LoopConsistencyOptions {
   int min_num_supporters = 0;  ///< loops of other nodes that must agree; 0: off
-  double min_way = 0.0;  ///< [m] loops of nodes nearer to each other count as one
+  double min_way = 0.0;        ///< [m] loops of nodes nearer to each other count as one
   /// Of the nodes near that of a loop without support, so many that sampling left out are searched
   /// where that loop has them.
   int num_checked_neighbors = 0;
@@ -42,9 +42,9 @@ bool Agree(const LoopDrift& a, const LoopDrift& b, const LoopConsistencyOptions&
 int NumSupporters(const LoopDrift& loop, const std::vector<LoopDrift>& others,
                   const LoopConsistencyOptions& options);
 
-/// Loops that were found, and what sampling left out: of `left_out` (nodes that came up for the same
-/// submap) those to search to check the loop of `node`, at most num_checked_neighbors, next to it
-/// and min_way apart. `node_ways` [m] is how far the robot had gone at each node.
+/// Loops that were found, and what sampling left out: of `left_out` (nodes that came up for the
+/// same submap) those to search to check the loop of `node`, at most num_checked_neighbors, next to
+/// it and min_way apart. `node_ways` [m] is how far the robot had gone at each node.
 std::vector<NodeId> NeighborsToCheck(NodeId node, const std::vector<NodeId>& left_out,
                                      const std::vector<double>& node_ways,
                                      const LoopConsistencyOptions& options);

@@ -162,8 +162,7 @@ void PoseGraph::CheckLoneLoops(std::vector<LoopCandidate>* candidates) {
 
 void PoseGraph::SearchWhereLoopHasIt(const LoopCandidate& loop, LoopCandidate* pair) {
   const NodeData& node = nodes_[pair->node.index];
-  const BranchAndBoundOptions& least =
-      options_.constraint_builder.fast_correlative_scan_matcher;
+  const BranchAndBoundOptions& least = options_.constraint_builder.fast_correlative_scan_matcher;
   pair->submap_from_node_guess = loop.submap_from_node *
                                  nodes_[loop.node.index].local_from_node.Inverse() *
                                  node.local_from_node;

@@ -28,7 +28,7 @@ struct ConstraintBuilderOptions {
   /// loops, from the submap to the node [m/m], and of the angular one [rad/m]; not in Cartographer.
   double linear_search_window_per_meter = 0.0;
   double angular_search_window_per_meter = 0.0;
-  double max_linear_search_window = 30.0;      ///< [m] where growth ends
+  double max_linear_search_window = 30.0;  ///< [m] where growth ends
   /// [m] Pairs with a wider linear search window are sampled less, in inverse proportion to it; not
   /// in Cartographer. 0: all alike.
   double full_sampling_search_window = 0.0;

@@ -21,7 +21,8 @@ Eigen::Array4d CubicWeightDerivatives(double t) {
                               1.0 + 8.0 * t - 9.0 * t2, -2.0 * t + 3.0 * t2);
 }
 
-/// The values of the cells x ... x + 3 of row y, less one: 0 is kMinProbability, also where unknown.
+/// The values of the cells x ... x + 3 of row y, less one: 0 is kMinProbability, also where
+/// unknown.
 Eigen::Array4d RowOfFour(const ProbabilityGrid& grid, int x, int y) {
   const auto value = [&](int i) {
     const CellValue v = grid.value({x + i, y});
@@ -54,9 +55,9 @@ SmoothValue BicubicGrid::At(const Eigen::Vector2d& point) const {
   Eigen::Array4d values;
   Eigen::Array4d slopes;
   for (int i = 0; i < 4; ++i) {
-    const Eigen::Array4d row =
-        inside ? RowOfFour(cells + static_cast<std::ptrdiff_t>(i) * box.width)
-               : RowOfFour(grid_, low.x, low.y + i);
+    const Eigen::Array4d row = inside
+                                   ? RowOfFour(cells + static_cast<std::ptrdiff_t>(i) * box.width)
+                                   : RowOfFour(grid_, low.x, low.y + i);
     values[i] = (row * weights_x).sum();
     slopes[i] = (row * slopes_x).sum();
   }

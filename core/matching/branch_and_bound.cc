@@ -142,10 +142,9 @@ class Search {
     const int w = window_.num_linear_steps;
     const int last = (1 << parent.height) - 1;
     std::vector<Block> children;
-    ScoreSquare(parent.offset, {std::min(parent.offset.x + last, w),
-                                std::min(parent.offset.y + last, w)},
-                parent.angle_index, parent.height - kHeightsPerBranch, parent.trace_index,
-                &children);
+    ScoreSquare(
+        parent.offset, {std::min(parent.offset.x + last, w), std::min(parent.offset.y + last, w)},
+        parent.angle_index, parent.height - kHeightsPerBranch, parent.trace_index, &children);
     SortByBound(&children);
     return children;
   }
@@ -154,9 +153,8 @@ class Search {
   /// for a trace, those that do not beat the best score are left out.
   void ScoreSquare(CellIndex first, CellIndex last, int angle_index, int height, int parent,
                    std::vector<Block>* blocks) {
-    const BlockSums sums = SumBlocks(grids_.at_height(height),
-                                     cells_at_angle_[angle_index + window_.num_angular_steps],
-                                     first);
+    const BlockSums sums = SumBlocks(
+        grids_.at_height(height), cells_at_angle_[angle_index + window_.num_angular_steps], first);
     for (int j = 0; j < kBlocksPerSide; ++j) {
       const int y = first.y + (j << height);
       if (y > last.y) break;

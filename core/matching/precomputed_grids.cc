@@ -93,9 +93,8 @@ PrecomputedGrids::PrecomputedGrids(const ProbabilityGrid& grid, int depth)
 const PrecomputedGrid& PrecomputedGrids::at_height(int height) const {
   if (height == 0) return finest_;
   Coarser& coarser = coarser_[height - 1];
-  std::call_once(coarser.made, [&] {
-    coarser.grid = std::make_unique<const PrecomputedGrid>(finest_, height);
-  });
+  std::call_once(coarser.made,
+                 [&] { coarser.grid = std::make_unique<const PrecomputedGrid>(finest_, height); });
   return *coarser.grid;
 }
 

@@ -63,8 +63,8 @@ class PrecomputedGrid {
   std::vector<std::uint8_t> values_;
 };
 
-/// One grid for each height 0 ... depth - 1, made when it is first asked for. May be used by several
-/// threads at once.
+/// One grid for each height 0 ... depth - 1, made when it is first asked for. May be used by
+/// several threads at once.
 class PrecomputedGrids {
  public:
   PrecomputedGrids(const ProbabilityGrid& grid, int depth);

@@ -46,10 +46,14 @@ struct Task {
 Task TaskOf(const benchmark::State& state) {
   const Pose2& truth = Office().submap_from_scan;
   switch (state.range(0)) {
-    case 0: return {1.0, DegreesToRadians(5.0), kMinScore, truth * Pose2(0.5, -0.4, 0.05)};
-    case 1: return {7.0, DegreesToRadians(30.0), kMinScore, truth * Pose2(3.0, -2.0, 0.25)};
-    case 2: return {7.0, DegreesToRadians(30.0), 0.85, truth * Pose2(3.0, -2.0, 0.25)};
-    default: return {20.0, M_PI, kMinScore, truth * Pose2(3.0, -2.0, 0.25)};
+    case 0:
+      return {1.0, DegreesToRadians(5.0), kMinScore, truth * Pose2(0.5, -0.4, 0.05)};
+    case 1:
+      return {7.0, DegreesToRadians(30.0), kMinScore, truth * Pose2(3.0, -2.0, 0.25)};
+    case 2:
+      return {7.0, DegreesToRadians(30.0), 0.85, truth * Pose2(3.0, -2.0, 0.25)};
+    default:
+      return {20.0, M_PI, kMinScore, truth * Pose2(3.0, -2.0, 0.25)};
   }
 }
 
@@ -62,9 +66,8 @@ void BM_BranchAndBound(benchmark::State& state) {
   const BranchAndBoundMatcher matcher(Office().grid, 7);
   double score = 0.0;
   for (auto _ : state) {
-    const SearchOutcome outcome =
-        matcher.Search(Office().points, task.guess, task.linear_window, task.angular_window,
-                       task.min_score);
+    const SearchOutcome outcome = matcher.Search(Office().points, task.guess, task.linear_window,
+                                                 task.angular_window, task.min_score);
     score = outcome.winner ? outcome.winner->score : 0.0;
   }
   state.counters["score"] = score;
@@ -74,8 +77,8 @@ BENCHMARK(BM_BranchAndBound)->Apply(NameTasks);
 void BM_PlainBranchAndBound(benchmark::State& state) {
   const Task task = TaskOf(state);
   const PlainPrecomputedGrids grids(Office().grid, 7);
-  const SearchWindow window = MakeSearchWindow(
-      Office().points, task.guess, task.linear_window, task.angular_window, 0.05);
+  const SearchWindow window =
+      MakeSearchWindow(Office().points, task.guess, task.linear_window, task.angular_window, 0.05);
   double score = 0.0;
   for (auto _ : state) {
     const auto winner = PlainBranchAndBound(grids, window, Office().points, task.min_score);

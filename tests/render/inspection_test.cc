@@ -239,7 +239,8 @@ TEST(InspectorTest, TellsOfEveryBlockThatIsShownItsBoundAndFate) {
       ASSERT_TRUE(finding);
       EXPECT_EQ(ValueOf(*finding, "bound"), fmt::format("{:.3f}", search->trace.nodes[node].bound));
       EXPECT_EQ(ValueOf(*finding, "height"), std::to_string(levels[i].height));
-      EXPECT_EQ(ValueOf(*finding, "depth"), std::to_string(levels.front().height - levels[i].height));
+      EXPECT_EQ(ValueOf(*finding, "depth"),
+                std::to_string(levels.front().height - levels[i].height));
       EXPECT_EQ(ValueOf(*finding, "fate"), part.WasPruned(node)     ? "pruned by bound"
                                            : part.WasExpanded(node) ? "expanded"
                                                                     : "not yet visited");
@@ -256,9 +257,10 @@ TEST(InspectorTest, CountsOnlyThePosesOfABlockThatAreInTheWindow) {
   const auto search = ReplaySearch(SmallLoop(), SubmapId{1}, NodeId{122});
   const int last = search->trace.window.num_linear_steps;
   const auto& nodes = search->trace.nodes;
-  const auto corner = std::max_element(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) {
-    return a.offset.x + a.offset.y + 100 * a.height < b.offset.x + b.offset.y + 100 * b.height;
-  });
+  const auto corner =
+      std::max_element(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) {
+        return a.offset.x + a.offset.y + 100 * a.height < b.offset.x + b.offset.y + 100 * b.height;
+      });
   const int across = last - corner->offset.x + 1;
   ASSERT_LT(across, 1 << corner->height);  // it reaches beyond the window
   const Extent block = BlockOf(*corner, search->trace.window);
@@ -276,8 +278,9 @@ TEST(InspectorTest, FindsTheFieldOfAnAngleInTheChart) {
   const SearchNode& winner = search->trace.nodes[search->trace.winner];
   const Extent field = FieldOf(winner, search->trace, chart.width / chart.height);
   DerivedCache cache(SmallLoop());
-  const auto finding = Inspector(&cache, request, scene)
-                           .WhatIsAt(static_cast<int>(scene.panels.size()) - 1, field.center(), 0.0);
+  const auto finding =
+      Inspector(&cache, request, scene)
+          .WhatIsAt(static_cast<int>(scene.panels.size()) - 1, field.center(), 0.0);
   ASSERT_TRUE(finding);
   EXPECT_EQ(ValueOf(*finding, "fate"), "became the best");
   EXPECT_EQ(ValueOf(*finding, "height"), "0");

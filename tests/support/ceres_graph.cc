@@ -47,9 +47,8 @@ GraphSolution SolveGraphWithCeres(const GraphProblem& graph,
   std::vector<Block> nodes = ToBlocks(graph.global_from_node);
   ceres::Problem problem;
   const auto add = [&](const Error& error, ceres::LossFunction* loss, Block* i, Block* j) {
-    problem.AddResidualBlock(
-        new ceres::AutoDiffCostFunction<Error, 3, 3, 3>(new Error(error)), loss, i->data(),
-        j->data());
+    problem.AddResidualBlock(new ceres::AutoDiffCostFunction<Error, 3, 3, 3>(new Error(error)),
+                             loss, i->data(), j->data());
   };
   for (const Constraint& c : graph.constraints) {
     add({c.submap_from_node, c.translation_weight, c.rotation_weight},

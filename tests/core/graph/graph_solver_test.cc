@@ -166,9 +166,8 @@ GraphProblem MakeNoisyProblem(int seed, bool with_consecutive) {
   GraphProblem problem = MakeProblem(graph);
   Random random(seed);
   for (Constraint& c : problem.constraints) {
-    c.submap_from_node = c.submap_from_node * Pose2(random.Gaussian(0.02),
-                                                    random.Gaussian(0.02),
-                                                    random.Gaussian(0.01));
+    c.submap_from_node = c.submap_from_node *
+                         Pose2(random.Gaussian(0.02), random.Gaussian(0.02), random.Gaussian(0.01));
   }
   problem.constraints.push_back(Outlier(graph, Constraint::Tag::kInterSubmap));
   if (!with_consecutive) problem.consecutive_nodes.clear();
