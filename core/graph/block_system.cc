@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include <Eigen/LU>
+
 namespace loopscope {
 
 BlockSystem::BlockSystem(int num_unknowns, std::vector<Coupling> couplings, int first_leaf)
