@@ -7,18 +7,20 @@
 #include <limits>
 
 #include "core/graph/loop_search.h"
+#include "core/graph/spa_cost.h"
 #include "core/slam/derive.h"
 #include "core/slam/loop_explanation.h"
 
 namespace loopscope {
 namespace {
 
-double HuberWeight(const Eigen::Vector3d& residual, const PoseGraphOptions& options) {
-  const Constraint weights = ToConstraint(LoopCandidate(), options.constraint_builder);
-  const double weighted = std::hypot(weights.translation_weight * residual.head<2>().norm(),
-                                     weights.rotation_weight * residual.z());
-  const double scale = options.optimization_problem.huber_scale;
-  return weighted > scale ? scale / weighted : 1.0;
+/// What the optimization makes of a loop with this residual [m, m, rad].
+double WeightOf(const Eigen::Vector3d& residual, const PoseGraphOptions& options) {
+  const Constraint constraint = ToConstraint(LoopCandidate(), options.constraint_builder);
+  const Eigen::Vector3d weights(constraint.translation_weight, constraint.translation_weight,
+                                constraint.rotation_weight);
+  return HuberWeight(weights.cwiseProduct(residual).squaredNorm(),
+                     options.optimization_problem.huber_scale);
 }
 
 /// The node of the submap that lies nearest to where the loop puts its own.
@@ -80,7 +82,7 @@ std::vector<JudgedLoop> JudgeLoops(const Recording& recording, const MapState& s
     if (candidate.verdict != Verdict::kAccepted) continue;
     const Eigen::Vector3d residual = LoopResidual(state, candidate);
     loops.push_back({candidate.submap, candidate.node, residual,
-                     HuberWeight(residual, recording.options().pose_graph),
+                     WeightOf(residual, recording.options().pose_graph),
                      ErrorOf(recording, candidate, reference)});
   }
   return loops;

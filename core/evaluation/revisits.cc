@@ -16,19 +16,6 @@ namespace {
 
 using SubmapPair = std::pair<int, int>;
 
-/// [m] that local SLAM went until each node.
-std::vector<double> WaysToNodes(const Recording& recording) {
-  std::vector<double> ways;
-  const std::vector<Node>& nodes = recording.nodes();
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    ways.push_back(i == 0 ? 0.0
-                          : ways.back() + (nodes[i].local_from_base.translation -
-                                           nodes[i - 1].local_from_base.translation)
-                                              .norm());
-  }
-  return ways;
-}
-
 bool LiesIn(const Node& node, int submap) {
   return node.first_submap.index <= submap && submap < node.first_submap.index + node.num_submaps;
 }
@@ -128,7 +115,7 @@ class ReturnCells {
 
 std::vector<Revisit> RevisitsOf(const Recording& recording, const ReferencePoses& reference,
                                 const RevisitOptions& options) {
-  const std::vector<double> ways = WaysToNodes(recording);
+  const std::vector<double> ways = NodeWays(recording);
   NearestNodes nearest(recording);
   for (int j = 0; j < static_cast<int>(reference.size()); ++j) {
     for (int i = 0; reference[j] && i < j && ways[j] - ways[i] > options.min_way; ++i) {

@@ -4,10 +4,37 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include <Eigen/LU>
 
 namespace loopscope {
+namespace {
+
+/// Numbers blocks of the lower half in the order in which they are asked for.
+class BlockNumbers {
+ public:
+  explicit BlockNumbers(int num_columns) : rows_of_column_(num_columns) {}
+
+  int Of(int row, int column) {
+    assert(row >= column);
+    auto& rows = rows_of_column_[column];
+    const auto found = std::lower_bound(rows.begin(), rows.end(), std::pair(row, 0));
+    if (found != rows.end() && found->first == row) return found->second;
+    const int number = static_cast<int>(blocks_.size());
+    blocks_.push_back({row, column});
+    rows.insert(found, {row, number});
+    return number;
+  }
+
+  const std::vector<BlockSystem::Coupling>& blocks() const { return blocks_; }
+
+ private:
+  std::vector<std::vector<std::pair<int, int>>> rows_of_column_;  ///< row and number, by row
+  std::vector<BlockSystem::Coupling> blocks_;
+};
+
+}  // namespace
 
 BlockSystem::BlockSystem(int num_unknowns, std::vector<Coupling> couplings, int first_leaf)
     : couplings_(std::move(couplings)),
@@ -58,24 +85,25 @@ void BlockSystem::FindLeaves(int first_leaf) {
 
 void BlockSystem::LayOutReduced() {
   const int size = static_cast<int>(kept_.size());
-  reduced_rows_.resize(size);
-  for (int i = 0; i < size; ++i) ReducedBlock(i, i);
+  BlockNumbers numbers(size);
+  for (int i = 0; i < size; ++i) numbers.Of(i, i);
   for (const int i : kept_couplings_) {
     kept_coupling_block_.push_back(
-        ReducedBlock(reduced_of_[couplings_[i].row], reduced_of_[couplings_[i].column]));
+        numbers.Of(reduced_of_[couplings_[i].row], reduced_of_[couplings_[i].column]));
   }
   for (Leaf& leaf : leaves_) {
     for (std::size_t b = 0; b < leaf.couplings.size(); ++b) {
       for (std::size_t a = 0; a <= b; ++a) {
         leaf.complement.push_back(
-            ReducedBlock(reduced_of_[leaf.couplings[b].to], reduced_of_[leaf.couplings[a].to]));
+            numbers.Of(reduced_of_[leaf.couplings[b].to], reduced_of_[leaf.couplings[a].to]));
       }
     }
   }
-  reduced_blocks_.resize(reduced_couplings_.size());
+  const std::vector<Coupling>& blocks = numbers.blocks();
+  reduced_blocks_.resize(blocks.size());
   std::vector<Eigen::Triplet<int>> entries;  // whose value is the place in value_of_, for now
-  for (std::size_t block = 0; block < reduced_couplings_.size(); ++block) {
-    const auto [row, column] = reduced_couplings_[block];
+  for (std::size_t block = 0; block < blocks.size(); ++block) {
+    const auto [row, column] = blocks[block];
     for (int k = 0; k < 9; ++k) {
       const int r = 3 * row + k % 3;
       const int c = 3 * column + k / 3;
@@ -84,21 +112,10 @@ void BlockSystem::LayOutReduced() {
   }
   Eigen::SparseMatrix<int> places(3 * size, 3 * size);
   places.setFromTriplets(entries.begin(), entries.end());
-  value_of_.assign(9 * reduced_couplings_.size(), -1);
+  value_of_.assign(9 * blocks.size(), -1);
   for (int i = 0; i < places.nonZeros(); ++i) value_of_[places.valuePtr()[i]] = i;
   reduced_ = places.cast<double>();
   cholesky_.analyzePattern(reduced_);
-}
-
-int BlockSystem::ReducedBlock(int row, int column) {
-  assert(row >= column);
-  auto& rows = reduced_rows_[column];
-  const auto found = std::lower_bound(rows.begin(), rows.end(), std::pair(row, 0));
-  if (found != rows.end() && found->first == row) return found->second;
-  const int block = static_cast<int>(reduced_couplings_.size());
-  reduced_couplings_.push_back({row, column});
-  rows.insert(found, {row, block});
-  return block;
 }
 
 void BlockSystem::SetZero() {

@@ -56,7 +56,6 @@ class BlockSystem {
 
   void FindLeaves(int first_leaf);
   void LayOutReduced();
-  int ReducedBlock(int row, int column);
   /// The block in the row of the leaf.
   Eigen::Matrix3d RowOf(const LeafCoupling& coupling) const;
   bool EliminateLeaves(const Eigen::VectorXd& damping);
@@ -70,10 +69,8 @@ class BlockSystem {
 
   // The reduced matrix, lower half: blocks on the diagonal, those of couplings between kept
   // unknowns, and those that leaves leave behind.
-  std::vector<Coupling> reduced_couplings_;                     ///< row >= column, places in kept_
-  std::vector<std::vector<std::pair<int, int>>> reduced_rows_;  ///< of a column: row, block
-  std::vector<int> kept_couplings_;                             ///< couplings between kept unknowns
-  std::vector<int> kept_coupling_block_;                        ///< and their blocks
+  std::vector<int> kept_couplings_;       ///< couplings between kept unknowns
+  std::vector<int> kept_coupling_block_;  ///< and their blocks
   std::vector<Eigen::Matrix3d> reduced_blocks_;
   std::vector<int> value_of_;  ///< 9 for each block: where its entries stand in reduced_; -1: upper
   Eigen::SparseMatrix<double> reduced_;

@@ -50,27 +50,20 @@ class LeastSquares {
  public:
   LeastSquares(const GraphProblem& graph, double huber_scale)
       : num_submaps_(static_cast<int>(graph.global_from_submap.size())),
+        num_unknowns_(num_submaps_ - 1 + static_cast<int>(graph.global_from_node.size())),
         huber_scale_(huber_scale),
         terms_(TermsOf(graph)),
-        system_(MakeSystem(num_submaps_ - 1 + static_cast<int>(graph.global_from_node.size()))),
-        gradient_(Eigen::VectorXd::Zero(3 * num_unknowns_)) {}
-
-  Poses Start(const GraphProblem& graph) const {
-    Poses poses{graph.global_from_submap.front(), graph.global_from_submap};
-    poses.unknowns.erase(poses.unknowns.begin());
-    poses.unknowns.insert(poses.unknowns.end(), graph.global_from_node.begin(),
-                          graph.global_from_node.end());
-    return poses;
-  }
+        system_(MakeSystem()),
+        gradient_(3 * num_unknowns_),
+        diagonal_(3 * num_unknowns_) {}
 
   /// Half the sum of eq. 4.
   double Cost(const Poses& poses) const {
     double cost = 0.0;
     for (const Term& term : terms_) {
       const double square = WeightedError(term, poses).squaredNorm();
-      cost +=
-          0.5 * (IsLinear(term, square) ? huber_scale_ * (2.0 * std::sqrt(square) - huber_scale_)
-                                        : square);
+      const bool is_linear = term.robust && square > huber_scale_ * huber_scale_;
+      cost += 0.5 * (is_linear ? huber_scale_ * (2.0 * std::sqrt(square) - huber_scale_) : square);
     }
     return cost;
   }
@@ -81,9 +74,8 @@ class LeastSquares {
     for (const Term& term : terms_) {
       Eigen::Vector3d error = WeightedError(term, poses);
       SpaDerivatives jacobian = DerivativesOfSpaError(poses.at(term.i), poses.at(term.j));
-      const double square = error.squaredNorm();
       const double scale =
-          IsLinear(term, square) ? std::sqrt(huber_scale_ / std::sqrt(square)) : 1.0;
+          term.robust ? std::sqrt(HuberWeight(error.squaredNorm(), huber_scale_)) : 1.0;
       error *= scale;
       jacobian.by_i = scale * term.weights.asDiagonal() * jacobian.by_i;
       jacobian.by_j = scale * term.weights.asDiagonal() * jacobian.by_j;
@@ -93,7 +85,6 @@ class LeastSquares {
         system_.coupling(term.coupling).noalias() += jacobian.by_j.transpose() * jacobian.by_i;
       }
     }
-    diagonal_.resize(gradient_.size());
     for (int i = 0; i < num_unknowns_; ++i) {
       diagonal_.segment<3>(3 * i) = system_.diagonal(i).diagonal();
     }
@@ -127,8 +118,8 @@ class LeastSquares {
     return terms;
   }
 
-  BlockSystem MakeSystem(int num_unknowns) {
-    num_unknowns_ = num_unknowns;
+  /// Tells the terms their couplings.
+  BlockSystem MakeSystem() {
     std::vector<BlockSystem::Coupling> couplings;
     std::map<std::pair<int, int>, int> index_of;
     for (Term& term : terms_) {
@@ -139,15 +130,11 @@ class LeastSquares {
       if (is_new) couplings.push_back({term.j, term.i});
       term.coupling = entry->second;
     }
-    return BlockSystem(num_unknowns, std::move(couplings), num_submaps_ - 1);
+    return BlockSystem(num_unknowns_, std::move(couplings), num_submaps_ - 1);
   }
 
   static Eigen::Vector3d WeightedError(const Term& term, const Poses& poses) {
     return term.weights.cwiseProduct(SpaError(term.i_from_j, poses.at(term.i), poses.at(term.j)));
-  }
-
-  bool IsLinear(const Term& term, double square) const {
-    return term.robust && square > huber_scale_ * huber_scale_;
   }
 
   void AddUnknown(int unknown, const Eigen::Matrix3d& jacobian, const Eigen::Vector3d& error) {
@@ -157,13 +144,21 @@ class LeastSquares {
   }
 
   int num_submaps_;
+  int num_unknowns_;
   double huber_scale_;
-  int num_unknowns_ = 0;
   std::vector<Term> terms_;
   BlockSystem system_;
   Eigen::VectorXd gradient_;
   Eigen::VectorXd diagonal_;
 };
+
+Poses StartOf(const GraphProblem& graph) {
+  Poses poses{graph.global_from_submap.front(), graph.global_from_submap};
+  poses.unknowns.erase(poses.unknowns.begin());
+  poses.unknowns.insert(poses.unknowns.end(), graph.global_from_node.begin(),
+                        graph.global_from_node.end());
+  return poses;
+}
 
 Poses Moved(const Poses& poses, const Eigen::VectorXd& step) {
   Poses moved = poses;
@@ -233,7 +228,7 @@ std::optional<Trial> TryStep(LeastSquares* least_squares, const Poses& poses, do
 std::optional<Eigen::Matrix3d> CovarianceOf(const GraphProblem& problem, int unknown,
                                             LeastSquares* least_squares) {
   constexpr double kMaxResidual = 1e-3;
-  least_squares->Linearize(least_squares->Start(problem));
+  least_squares->Linearize(StartOf(problem));
   BlockSystem& system = least_squares->system();
   const Eigen::Index size = least_squares->gradient().size();
   if (!system.Factorize(Eigen::VectorXd::Zero(size))) return std::nullopt;
@@ -253,7 +248,7 @@ GraphSolution SolveGraph(const GraphProblem& problem, const OptimizationProblemO
                          int max_num_iterations) {
   assert(!problem.global_from_submap.empty());
   LeastSquares least_squares(problem, options.huber_scale);
-  Poses poses = least_squares.Start(problem);
+  Poses poses = StartOf(problem);
   const double initial_cost = least_squares.Cost(poses);
   double cost = initial_cost;
   TrustRegion region;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/graph/spa_cost.h"
 
+#include <cmath>
+
 namespace loopscope {
 
 Eigen::Vector3d SpaError(const Pose2& i_from_j, const Pose2& global_from_i,
@@ -28,6 +30,10 @@ SpaDerivatives DerivativesOfSpaError(const Pose2& global_from_i, const Pose2& gl
   derivatives.by_j.topLeftCorner<2, 2>() = -i_from_global;
   derivatives.by_j(2, 2) = -1.0;
   return derivatives;
+}
+
+double HuberWeight(double square, double scale) {
+  return square > scale * scale ? scale / std::sqrt(square) : 1.0;
 }
 
 }  // namespace loopscope

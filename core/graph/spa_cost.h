@@ -18,4 +18,8 @@ struct SpaDerivatives {
 };
 SpaDerivatives DerivativesOfSpaError(const Pose2& global_from_i, const Pose2& global_from_j);
 
+/// The weight by which Huber's loss of `scale` stands for a square at an error whose square is
+/// `square`; both weighted, without unit.
+double HuberWeight(double square, double scale);
+
 }  // namespace loopscope

@@ -20,10 +20,16 @@ constexpr double kMaxProbability = 0.9;
 inline double Odds(double probability) { return probability / (1.0 - probability); }
 inline double ProbabilityFromOdds(double odds) { return odds / (odds + 1.0); }
 
+/// From one value to the next.
+constexpr double kProbabilityStep = (kMaxProbability - kMinProbability) / (kMaxCellValue - 1);
+
+/// How many steps `value` is above kMinProbability, which is also what an unknown cell counts as in
+/// matching.
+constexpr int StepsAboveMin(CellValue value) { return value - (value == kUnknown ? 0 : 1); }
+
 /// `value` must not be kUnknown.
 inline double ProbabilityOf(CellValue value) {
-  return kMinProbability +
-         (value - 1) * ((kMaxProbability - kMinProbability) / (kMaxCellValue - 1));
+  return kMinProbability + (value - 1) * kProbabilityStep;
 }
 
 /// The nearest value to `probability`, which is clamped to [kMinProbability, kMaxProbability].

@@ -21,22 +21,18 @@ Eigen::Array4d CubicWeightDerivatives(double t) {
                               1.0 + 8.0 * t - 9.0 * t2, -2.0 * t + 3.0 * t2);
 }
 
-/// The values of the cells x ... x + 3 of row y, less one: 0 is kMinProbability, also where
-/// unknown.
-Eigen::Array4d RowOfFour(const ProbabilityGrid& grid, int x, int y) {
-  const auto value = [&](int i) {
-    const CellValue v = grid.value({x + i, y});
-    return static_cast<double>(v - (v == kUnknown ? 0 : 1));
-  };
-  return {value(0), value(1), value(2), value(3)};
+/// What StepsAboveMin says of four cells side by side.
+Eigen::Array4d RowOfFour(const CellValue* cells) {
+  return Eigen::Array4i(StepsAboveMin(cells[0]), StepsAboveMin(cells[1]), StepsAboveMin(cells[2]),
+                        StepsAboveMin(cells[3]))
+      .cast<double>();
 }
 
-/// Likewise, of four cells that the grid holds.
-Eigen::Array4d RowOfFour(const CellValue* cells) {
-  const auto value = [&](int i) {
-    return static_cast<double>(cells[i] - (cells[i] == kUnknown ? 0 : 1));
-  };
-  return {value(0), value(1), value(2), value(3)};
+/// Likewise of the cells x ... x + 3 of row y, which the grid need not hold.
+Eigen::Array4d RowOfFour(const ProbabilityGrid& grid, int x, int y) {
+  const CellValue cells[] = {grid.value({x, y}), grid.value({x + 1, y}), grid.value({x + 2, y}),
+                             grid.value({x + 3, y})};
+  return RowOfFour(cells);
 }
 
 }  // namespace
@@ -63,9 +59,8 @@ SmoothValue BicubicGrid::At(const Eigen::Vector2d& point) const {
   }
   const Eigen::Array4d weights_y = CubicWeights(v - y);
   const Eigen::Array4d slopes_y = CubicWeightDerivatives(v - y);
-  constexpr double kScale = (kMaxProbability - kMinProbability) / (kMaxCellValue - 1);
-  return {kMinProbability + kScale * (values * weights_y).sum(),
-          kScale / grid_.resolution() *
+  return {kMinProbability + kProbabilityStep * (values * weights_y).sum(),
+          kProbabilityStep / grid_.resolution() *
               Eigen::Vector2d((slopes * weights_y).sum(), (values * slopes_y).sum())};
 }
 

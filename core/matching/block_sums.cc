@@ -94,7 +94,7 @@ void SumBlocksHere(const PrecomputedGrid& grid, const CellIndex* cells, std::siz
   }
 }
 
-/// Adds the values, less one, of the row of `num_shifts` cells that begins at each of `starts`.
+/// Adds the StepsAboveMin of the row of `num_shifts` cells that begins at each of `starts`.
 void SumRowsHere(const CellValue* const* starts, std::size_t num_starts, std::size_t num_shifts,
                  std::uint32_t* sums) {
   std::size_t done = 0;
@@ -115,8 +115,7 @@ void SumRowsHere(const CellValue* const* starts, std::size_t num_starts, std::si
   for (; done < num_shifts; ++done) {
     std::uint32_t sum = 0;
     for (std::size_t i = 0; i < num_starts; ++i) {
-      const CellValue value = starts[i][done];
-      sum += value - (value == kUnknown ? 0 : 1);
+      sum += StepsAboveMin(starts[i][done]);
     }
     sums[done] = sum;
   }
@@ -138,6 +137,8 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace loopscope {
+
+static_assert(PrecomputedGrid::kMargin >= kBlocksPerSide, "loads may begin so far outside");
 
 HWY_EXPORT(SumBlocksHere);
 HWY_EXPORT(SumRowsHere);
@@ -164,8 +165,7 @@ std::vector<std::uint32_t> SumShifted(const ProbabilityGrid& grid,
       continue;
     }
     for (int k = 0; k < side * side; ++k) {
-      const CellValue value = grid.value({low.x + k % side, low.y + k / side});
-      sums[k] += value - (value == kUnknown ? 0 : 1);
+      sums[k] += StepsAboveMin(grid.value({low.x + k % side, low.y + k / side}));
     }
   }
   std::vector<std::uint32_t> row(side);

@@ -27,8 +27,8 @@ using BlockSums = std::array<std::int32_t, kBlocksPerSide * kBlocksPerSide>;
 BlockSums SumBlocks(const PrecomputedGrid& grid, const std::vector<CellIndex>& cells,
                     CellIndex offset);
 
-/// The sums of cell values at all shifts of a square window, |x|, |y| <= `radius` cells, row-major,
-/// lowest y first; each value less one, as that is the least probability (also where unknown).
+/// The sums of StepsAboveMin at all shifts of a square window, |x|, |y| <= `radius` cells,
+/// row-major, lowest y first.
 std::vector<std::uint32_t> SumShifted(const ProbabilityGrid& grid,
                                       const std::vector<CellIndex>& cells, int radius);
 

@@ -11,10 +11,9 @@
 namespace loopscope {
 namespace {
 
-/// Of so many values, each less one.
-double MeanProbability(std::uint32_t sum, std::size_t num_values) {
-  return kMinProbability + sum * ((kMaxProbability - kMinProbability) / (kMaxCellValue - 1)) /
-                               static_cast<double>(num_values);
+/// Of so many cells, whose StepsAboveMin add up to `sum`.
+double MeanProbability(std::uint32_t sum, std::size_t num_cells) {
+  return kMinProbability + sum * kProbabilityStep / static_cast<double>(num_cells);
 }
 
 double DeltaPenalty(double distance, double angle, const CorrelativeScanMatcherOptions& options) {

@@ -48,7 +48,6 @@ class PrecomputedGrid {
     return values_.data() + static_cast<std::size_t>(y) * row_length_;
   }
   int row_length() const { return row_length_; }
-  std::size_t num_bytes() const { return values_.size(); }
 
  private:
   PrecomputedGrid(const CellBox& box, int height);

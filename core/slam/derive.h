@@ -53,6 +53,9 @@ struct MatchReplay {
 /// Nothing if the scan was not matched: it was the first, or had no returns.
 std::optional<MatchReplay> ReplayMatch(const Recording& recording, int step);
 
+/// [m] that the robot had gone at each node, as local SLAM has it.
+std::vector<double> NodeWays(const Recording& recording);
+
 /// The gate that a pair had to go through when it came up: at the later of the node's insertion and
 /// the submap's end, which must have finished.
 LoopGate GateOfPair(const Recording& recording, SubmapId submap, NodeId node);

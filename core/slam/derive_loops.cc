@@ -51,18 +51,6 @@ double MinLoopScoreOf(const Recording& recording, SubmapId submap) {
                       recording.options().pose_graph.constraint_builder);
 }
 
-/// [m] that the robot had gone at each node.
-std::vector<double> NodeWays(const Recording& recording) {
-  std::vector<double> ways;
-  for (std::size_t i = 0; i < recording.nodes().size(); ++i) {
-    ways.push_back(i == 0 ? 0.0
-                          : ways.back() + (recording.nodes()[i].local_from_base.translation -
-                                           recording.nodes()[i - 1].local_from_base.translation)
-                                              .norm());
-  }
-  return ways;
-}
-
 /// What the mapper knew of the ways between submaps in `state`.
 TravelGraph TravelGraphOf(const Recording& recording, const MapState& state) {
   TravelGraph graph;
@@ -99,6 +87,17 @@ double WayBetween(const Recording& recording, const MapState& state, SubmapId su
 }
 
 }  // namespace
+
+std::vector<double> NodeWays(const Recording& recording) {
+  std::vector<double> ways;
+  for (std::size_t i = 0; i < recording.nodes().size(); ++i) {
+    ways.push_back(i == 0 ? 0.0
+                          : ways.back() + (recording.nodes()[i].local_from_base.translation -
+                                           recording.nodes()[i - 1].local_from_base.translation)
+                                              .norm());
+  }
+  return ways;
+}
 
 std::optional<SearchReplay> ReplaySearch(const Recording& recording, SubmapId submap, NodeId node,
                                          std::optional<double> min_score) {

@@ -157,9 +157,7 @@ Rows LoopConsistencyRows(LoopConsistencyOptions* o) {
       {"min_way", &o->min_way, 0, 1e6, "m",
        "Loops of nodes nearer to each other, along the way, count as one."},
       {"num_checked_neighbors", &o->num_checked_neighbors, 0, kMaxCount, "",
-       "Nodes near that of a loop without support, left out by sampling, that are searched where "
-       "it "
-       "has them; 0: none."},
+       "Neighbours of a loop without support that are searched where it has them; 0: none."},
       {"max_angle", &o->max_angle, 0, kPi, "rad", "Loops that agree are turned by no more."},
   };
 }

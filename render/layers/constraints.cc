@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/layers/constraints.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace loopscope {
 
 std::vector<PlacedConstraint> PlaceConstraints(const std::vector<Constraint>& constraints,
@@ -26,6 +29,10 @@ std::vector<PlacedConstraint> Thinned(const std::vector<PlacedConstraint>& const
   std::vector<PlacedConstraint> some;
   for (std::size_t i = 0; i < constraints.size(); i += step) some.push_back(constraints[i]);
   return some;
+}
+
+double OpacityOfMany(std::size_t num_lines) {
+  return std::clamp(10.0 / std::sqrt(static_cast<double>(num_lines) + 1.0), 0.2, 0.7);
 }
 
 vtkSmartPointer<vtkActor> InterConstraintsLayer(const std::vector<PlacedConstraint>& constraints,

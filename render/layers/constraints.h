@@ -32,6 +32,9 @@ std::vector<PlacedConstraint> PlaceConstraints(const std::vector<Constraint>& co
 std::vector<PlacedConstraint> Thinned(const std::vector<PlacedConstraint>& constraints,
                                       int max_count);
 
+/// The more lines there are, the clearer each is, so that what lies beneath is seen through them.
+double OpacityOfMany(std::size_t num_lines);
+
 /// A line from each submap to the expected place of its node.
 vtkSmartPointer<vtkActor> InterConstraintsLayer(const std::vector<PlacedConstraint>& constraints,
                                                 const Color& color, double line_width);

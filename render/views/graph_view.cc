@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -102,11 +101,6 @@ Annotation Describe(const Recording& recording, const Graph& graph) {
   annotation.subtitle = Subtitle(recording, graph.state.step, {});
   annotation.facts = FactsOf(graph);
   return annotation;
-}
-
-/// The more lines there are, the clearer each is, so that the map is seen through them.
-double OpacityOfMany(std::size_t count) {
-  return std::clamp(10.0 / std::sqrt(static_cast<double>(count) + 1.0), 0.2, 0.7);
 }
 
 /// Ellipses so large that they are seen: weights of constraints are no standard deviations.

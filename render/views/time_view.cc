@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -134,11 +133,6 @@ void DrawFloor(const Floor& floor, const MapColors& colors, Sheet* sheet) {
                     sheet->palette().faint_ink);
     return MakeActor(edge.Build(), {sheet->Px(widths::kThin), 1.0, false});
   });
-}
-
-/// The more lines there are, the clearer each is.
-double OpacityOfMany(std::size_t count) {
-  return std::clamp(10.0 / std::sqrt(static_cast<double>(count) + 1.0), 0.2, 0.7);
 }
 
 /// What is selected, and what is marked beside it.
