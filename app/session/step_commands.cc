@@ -107,6 +107,10 @@ std::vector<Command> StepCommands() {
   const Kinds closed{Event::Kind::kLoopClosed};
   const Kinds refused{Event::Kind::kLoopRefused};
   const Kinds optimization{Event::Kind::kOptimization};
+  const auto selected = [](const Session& session, const std::string&) {
+    const std::optional<NodeId> node = session.state().node;
+    return node ? session.recording().node(*node).step : session.state().step;
+  };
   return {
       Play(),
       Seek("step.next", "Next scan", {"Right"}, by(1)),
@@ -122,6 +126,7 @@ std::vector<Command> StepCommands() {
             return IntArgument("step.seek", argument);
           },
           "N"),
+      Seek("step.node", "Scan of the selected node", {"N"}, selected),
       SeekEvent("event.next", "Next event", {"Ctrl+Right"}, kAllKinds, true),
       SeekEvent("event.previous", "Previous event", {"Ctrl+Left"}, kAllKinds, false),
       SeekEvent("event.next_loop", "Next closed loop", {"L"}, closed, true),

@@ -9,6 +9,11 @@
 
 namespace loopscope {
 
+double CountedWay(double gap, const ConstraintBuilderOptions& options) {
+  constexpr double kMaxGap = 1.0;  // [m]
+  return gap * (1.0 + options.search_window_growth_per_gap * std::min(gap, kMaxGap));
+}
+
 LoopGate EvaluateLoopGate(const Pose2& submap_from_node_guess, const Eigen::AlignedBox2d& node_box,
                           double way, const ConstraintBuilderOptions& options) {
   const BranchAndBoundOptions& least = options.fast_correlative_scan_matcher;

@@ -13,11 +13,14 @@
 
 namespace loopscope {
 
+/// [m] What the `gap` [m] between two nodes counts on the way over which search windows grow.
+double CountedWay(double gap, const ConstraintBuilderOptions& options);
+
 /// What decides, before any search, whether a node and a submap may see the same place, and how far
 /// off the estimate may be.
 struct LoopGate {
-  double way = 0.0;       ///< [m] that the robot went from the submap to the node, over known loops
-  double distance = 0.0;  ///< [m] from the node to the box around the nodes of the submap
+  double way = 0.0;  ///< [m] from the submap to the node, over known loops, as CountedWay has it
+  double distance = 0.0;        ///< [m] from the node to the box around the nodes of the submap
   double linear_window = 0.0;   ///< [m] in which to search
   double angular_window = 0.0;  ///< [rad]
   bool is_near = false;         ///< distance <= max_constraint_distance + growth of the window

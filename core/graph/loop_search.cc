@@ -78,16 +78,21 @@ void LoopSearch::AddSubmap(SubmapId id, ProbabilityGrid grid) {
 
 void LoopSearch::Consider(const LoopCandidate& candidate,
                           std::shared_ptr<const PointCloud> points_in_node) {
-  pending_.push_back(std::make_unique<LoopCandidate>());
-  LoopCandidate* const result = pending_.back().get();
-  if (!Sample(candidate.linear_search_window, submaps_.at(candidate.submap).get())) {
-    result->submap = candidate.submap;
-    result->node = candidate.node;
-    result->considered_step = candidate.considered_step;
+  if (Sample(candidate.linear_search_window, submaps_.at(candidate.submap).get())) {
+    SearchAlso(candidate, std::move(points_in_node));
     return;
   }
-  *result = candidate;
-  Search(result, std::move(points_in_node));
+  LoopCandidate left_out;
+  left_out.submap = candidate.submap;
+  left_out.node = candidate.node;
+  left_out.considered_step = candidate.considered_step;
+  pending_.push_back(std::make_unique<LoopCandidate>(left_out));
+}
+
+void LoopSearch::SearchAlso(const LoopCandidate& candidate,
+                            std::shared_ptr<const PointCloud> points_in_node) {
+  pending_.push_back(std::make_unique<LoopCandidate>(candidate));
+  Search(pending_.back().get(), std::move(points_in_node));
 }
 
 void LoopSearch::Search(LoopCandidate* candidate,

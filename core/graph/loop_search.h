@@ -38,6 +38,9 @@ class LoopSearch {
   /// Searches the pair of `candidate`, or leaves it if it is not its turn by sampling_ratio.
   void Consider(const LoopCandidate& candidate, std::shared_ptr<const PointCloud> points_in_node);
 
+  /// Searches the pair of `candidate`, whether it is its turn or not.
+  void SearchAlso(const LoopCandidate& candidate, std::shared_ptr<const PointCloud> points_in_node);
+
   /// Searches the pair of `candidate` in any case. Its address must last until Wait.
   void Search(LoopCandidate* candidate, std::shared_ptr<const PointCloud> points_in_node);
   void Wait() { pool_.Wait(); }

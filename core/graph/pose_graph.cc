@@ -10,10 +10,12 @@
 namespace loopscope {
 
 PoseGraph::PoseGraph(const PoseGraphOptions& options, int num_threads)
-    : options_(options), loop_search_(options.constraint_builder, num_threads) {}
+    : options_(options),
+      second_look_(options.constraint_builder.second_look),
+      loop_search_(options.constraint_builder, num_threads) {}
 
 void PoseGraph::AddSubmap(const Pose2& local_from_submap) {
-  submaps_.push_back({local_from_submap, NodeId{static_cast<int>(nodes_.size())}, {}, 0.0});
+  submaps_.push_back({local_from_submap, NodeId{static_cast<int>(nodes_.size())}, 0, {}, 0.0});
   global_from_submap_.push_back(global_from_local_ * local_from_submap);
 }
 
@@ -27,6 +29,7 @@ void PoseGraph::AddNode(const NodeData& node, int step) {
     SubmapData& data = submaps_[submap.index];
     const Pose2 submap_from_node = data.local_from_submap.Inverse() * node.local_from_node;
     data.node_box.extend(submap_from_node.translation);
+    ++data.num_nodes;
     constraints_.push_back({submap, id, submap_from_node, options_.matcher_translation_weight,
                             options_.matcher_rotation_weight, Constraint::Tag::kIntraSubmap});
   }
@@ -37,17 +40,21 @@ void PoseGraph::AddNode(const NodeData& node, int step) {
 }
 
 void PoseGraph::AddWayTo(NodeId id) {
-  const double way = id.index == 0
-                         ? 0.0
-                         : node_ways_.back() + (nodes_[id.index].local_from_node.translation -
-                                                nodes_[id.index - 1].local_from_node.translation)
-                                                   .norm();
-  node_ways_.push_back(way);
+  if (id.index == 0) {
+    node_ways_.push_back(0.0);
+    counted_ways_.push_back(0.0);
+  } else {
+    const double gap = (nodes_[id.index].local_from_node.translation -
+                        nodes_[id.index - 1].local_from_node.translation)
+                           .norm();
+    node_ways_.push_back(node_ways_.back() + gap);
+    counted_ways_.push_back(counted_ways_.back() + CountedWay(gap, options_.constraint_builder));
+  }
   if (submaps_.back().first_node != id) return;
   const std::size_t num_submaps = submaps_.size();
   const double way_before =
-      num_submaps < 2 ? 0.0 : node_ways_[submaps_[num_submaps - 2].first_node.index];
-  travel_graph_.AddSubmap(way - way_before);
+      num_submaps < 2 ? 0.0 : counted_ways_[submaps_[num_submaps - 2].first_node.index];
+  travel_graph_.AddSubmap(counted_ways_.back() - way_before);
 }
 
 void PoseGraph::AddConsecutive(NodeId id) {
@@ -91,20 +98,25 @@ bool PoseGraph::LiesIn(const NodeData& node, SubmapId submap) {
 void PoseGraph::Consider(SubmapId submap, NodeId node, double way, int step) {
   const NodeData& data = nodes_[node.index];
   if (options_.optimize_every_n_nodes == 0 || data.points->empty() || LiesIn(data, submap)) return;
+  const LoopCandidate candidate = CandidateOf(submap, node, way, step);
+  if (candidate.verdict != Verdict::kTooFar) loop_search_.Consider(candidate, data.points);
+}
+
+LoopCandidate PoseGraph::CandidateOf(SubmapId submap, NodeId node, double way, int step) const {
   LoopCandidate candidate;
   candidate.submap_from_node_guess =
       global_from_submap_[submap.index].Inverse() * global_from_node_[node.index];
   const LoopGate gate =
       EvaluateLoopGate(candidate.submap_from_node_guess, submaps_[submap.index].node_box, way,
                        options_.constraint_builder);
-  if (!gate.is_near) return;
+  candidate.verdict = gate.is_near ? Verdict::kNotSampled : Verdict::kTooFar;
   candidate.submap = submap;
   candidate.node = node;
   candidate.considered_step = step;
   candidate.linear_search_window = gate.linear_window;
   candidate.angular_search_window = gate.angular_window;
   candidate.min_score = submaps_[submap.index].min_loop_score;
-  loop_search_.Consider(candidate, data.points);
+  return candidate;
 }
 
 bool PoseGraph::OptimizationIsDue() const {
@@ -113,6 +125,7 @@ bool PoseGraph::OptimizationIsDue() const {
 }
 
 std::vector<LoopCandidate> PoseGraph::CollectLoops(int step) {
+  LookAgain(step);
   std::vector<LoopCandidate> candidates = loop_search_.Collect();
   CheckLoneLoops(&candidates);
   RejectInconsistent(&candidates);
@@ -121,9 +134,39 @@ std::vector<LoopCandidate> PoseGraph::CollectLoops(int step) {
     if (candidate.verdict != Verdict::kAccepted) continue;
     loop_drifts_.push_back(DriftOf(candidate));
     constraints_.push_back(ToConstraint(candidate, options_.constraint_builder));
-    travel_graph_.AddLoop(candidate.submap, nodes_[candidate.node.index].first_submap);
+    const NodeData& node = nodes_[candidate.node.index];
+    travel_graph_.AddLoop(candidate.submap, node.first_submap);
+    for (int i = 0; i < node.num_submaps; ++i) {
+      second_look_.Tie(candidate.submap, SubmapId{node.first_submap.index + i});
+    }
   }
   return candidates;
+}
+
+void PoseGraph::LookAgain(int step) {
+  std::map<SubmapId, std::vector<double>> ways;
+  for (const auto& [submap, node] :
+       second_look_.Choose(FinishedPlaces(), global_from_node_, node_ways_)) {
+    const NodeData& data = nodes_[node.index];
+    if (data.points->empty()) continue;
+    std::vector<double>& ways_from_submap = ways[submap];
+    if (ways_from_submap.empty()) ways_from_submap = travel_graph_.WaysFrom(submap);
+    const LoopCandidate candidate =
+        CandidateOf(submap, node, ways_from_submap[data.first_submap.index], step);
+    if (candidate.verdict != Verdict::kTooFar) loop_search_.SearchAlso(candidate, data.points);
+  }
+  num_looked_at_ = finished_submaps_.size();
+}
+
+std::vector<SubmapPlace> PoseGraph::FinishedPlaces() const {
+  std::vector<SubmapPlace> places;
+  for (std::size_t i = 0; i < num_looked_at_; ++i) {
+    const SubmapId id = finished_submaps_[i];
+    const SubmapData& data = submaps_[id.index];
+    places.push_back(
+        {id, global_from_submap_[id.index], data.node_box, data.first_node, data.num_nodes});
+  }
+  return places;
 }
 
 std::vector<LoopDrift> PoseGraph::DriftsWith(const std::vector<LoopCandidate>& candidates) const {

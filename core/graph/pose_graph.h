@@ -54,6 +54,9 @@ class PoseGraph {
   void AddConsecutive(NodeId id);
   double MinLoopScoreOf(SubmapId id, const ProbabilityGrid& grid) const;
   static bool LiesIn(const NodeData& node, SubmapId submap);
+  /// Searches submaps of the same place that no loop ties.
+  void LookAgain(int step);
+  std::vector<SubmapPlace> FinishedPlaces() const;
   /// Searches neighbours of the loops that stand alone, where those have them.
   void CheckLoneLoops(std::vector<LoopCandidate>* candidates);
   void SearchWhereLoopHasIt(const LoopCandidate& loop, LoopCandidate* pair);
@@ -64,11 +67,14 @@ class PoseGraph {
   LoopDrift DriftOf(const LoopCandidate& candidate) const;
   /// Sets off a loop search for the pair if it is near enough; `way` [m] from TravelGraph.
   void Consider(SubmapId submap, NodeId node, double way, int step);
+  /// The pair as it comes up now; kTooFar unless it is near enough.
+  LoopCandidate CandidateOf(SubmapId submap, NodeId node, double way, int step) const;
 
   PoseGraphOptions options_;
   struct SubmapData {
     Pose2 local_from_submap;
     NodeId first_node;
+    int num_nodes = 0;
     Eigen::AlignedBox2d node_box;  ///< around its nodes, in its frame
     double min_loop_score = 0.0;   ///< once it is finished
   };
@@ -76,8 +82,11 @@ class PoseGraph {
   std::vector<NodeData> nodes_;
   std::vector<SubmapData> submaps_;
   std::vector<SubmapId> finished_submaps_;
-  std::vector<double> node_ways_;       ///< [m] that the robot had gone at each node
+  std::size_t num_looked_at_ = 0;  ///< of finished_submaps_: those whose own pairs were collected
+  std::vector<double> node_ways_;  ///< [m] that the robot had gone at each node
+  std::vector<double> counted_ways_;    ///< likewise, as CountedWay has it
   std::vector<LoopDrift> loop_drifts_;  ///< of the loops that were accepted
+  SecondLook second_look_;
   TravelGraph travel_graph_;
   std::vector<Pose2> global_from_submap_;
   std::vector<Pose2> global_from_node_;

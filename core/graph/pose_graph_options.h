@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/graph/loop_consistency.h"
+#include "core/graph/second_look.h"
 #include "core/matching/branch_and_bound.h"
 #include "core/matching/ceres_scan_matcher.h"
 
@@ -29,6 +30,9 @@ struct ConstraintBuilderOptions {
   double linear_search_window_per_meter = 0.0;
   double angular_search_window_per_meter = 0.0;
   double max_linear_search_window = 30.0;  ///< [m] where growth ends
+  /// [1/m] By how much more a metre of way lets windows grow for each metre, up to one, that lies
+  /// between the nodes; not in Cartographer. Scans taken far apart overlap less, and drift more.
+  double search_window_growth_per_gap = 0.0;
   /// [m] Pairs with a wider linear search window are sampled less, in inverse proportion to it; not
   /// in Cartographer. 0: all alike.
   double full_sampling_search_window = 0.0;
@@ -37,6 +41,7 @@ struct ConstraintBuilderOptions {
   double loop_closure_rotation_weight = 1e5;
   LoopAmbiguityOptions ambiguity;
   LoopConsistencyOptions consistency;
+  SecondLookOptions second_look;
   BranchAndBoundOptions fast_correlative_scan_matcher;
   CeresScanMatcherOptions ceres_scan_matcher{20.0, 10.0, 1.0, 10};
 };

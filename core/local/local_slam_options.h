@@ -38,6 +38,9 @@ struct LocalSlamOptions {
   MotionFilterOptions motion_filter;
   SubmapsOptions submaps;
   bool use_odometry = true;  ///< whether odometry, where there is any, predicts the motion
+  /// [m] Way over which it is learned to which side of the scanner odometry moves; 0: not at all.
+  /// Not in Cartographer.
+  double odometry_direction_memory = 0.0;
 };
 
 }  // namespace loopscope

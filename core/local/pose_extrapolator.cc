@@ -15,7 +15,8 @@ constexpr double kMaxStretch = 3.0;
 Pose2 PoseExtrapolator::Predict(double time, const std::optional<Pose2>& odom_from_base) const {
   if (!last_) return Pose2();
   if (odom_from_base && last_->odom_from_base) {
-    return last_->local_from_base * (last_->odom_from_base->Inverse() * *odom_from_base);
+    return last_->local_from_base *
+           direction_.Corrected(last_->odom_from_base->Inverse() * *odom_from_base);
   }
   if (!before_last_ || last_->time <= before_last_->time) return last_->local_from_base;
   const Pose2 motion = before_last_->local_from_base.Inverse() * last_->local_from_base;
@@ -26,6 +27,10 @@ Pose2 PoseExtrapolator::Predict(double time, const std::optional<Pose2>& odom_fr
 
 void PoseExtrapolator::AddPose(double time, const Pose2& local_from_base,
                                const std::optional<Pose2>& odom_from_base) {
+  if (last_ && last_->odom_from_base && odom_from_base) {
+    direction_.Learn(last_->odom_from_base->Inverse() * *odom_from_base,
+                     last_->local_from_base.Inverse() * local_from_base);
+  }
   before_last_ = last_;
   last_ = Known{time, local_from_base, odom_from_base};
 }

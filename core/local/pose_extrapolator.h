@@ -5,12 +5,15 @@
 #include <optional>
 
 #include "core/geometry/pose2.h"
+#include "core/local/odometry_direction.h"
 
 namespace loopscope {
 
 /// Predicts where the robot is when a scan comes, from where the scans before were matched.
 class PoseExtrapolator {
  public:
+  explicit PoseExtrapolator(const OdometryDirection& direction) : direction_(direction) {}
+
   /// The pose at `time` [s]: the motion that odometry measured since the last pose, if it was known
   /// there and is now; else the velocity between the last two poses, kept. The identity before any
   /// pose is known.
@@ -28,6 +31,7 @@ class PoseExtrapolator {
   };
   std::optional<Known> last_;
   std::optional<Known> before_last_;
+  OdometryDirection direction_;
 };
 
 }  // namespace loopscope

@@ -49,6 +49,15 @@ std::optional<ScanMatch> Recover(const PointCloud& points_in_base, const Probabi
   return match;
 }
 
+/// A scan that looks where nothing is known yet scores little wherever it is put; its points among
+/// what is known may match as well as expected.
+bool MatchesWhatIsKnown(const PointCloud& points_in_base, const ScanMatch& match,
+                        const ProbabilityGrid& grid, double min_score,
+                        const LocalSlamOptions& options) {
+  const KnownScore score = ScoreOfKnown(points_in_base, match.submap_from_base, grid);
+  return score.num_points >= options.min_num_matched_points && score.mean_probability >= min_score;
+}
+
 }  // namespace
 
 ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& grid,
@@ -61,7 +70,9 @@ ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& gri
       Recover(points_in_base, grid, submap_from_base_prior,
               std::max(near.score + options.recovery.min_gain, min_score), options);
   if (recovered) return *recovered;
-  if (!prior_is_measured) return near;
+  if (!prior_is_measured || MatchesWhatIsKnown(points_in_base, near, grid, min_score, options)) {
+    return near;
+  }
   return {std::nullopt, submap_from_base_prior,
           MeanProbability(points_in_base, submap_from_base_prior, grid)};
 }

@@ -16,4 +16,18 @@ double MeanProbability(const PointCloud& points_in_scan, const Pose2& submap_fro
   return sum / static_cast<double>(points_in_scan.size());
 }
 
+KnownScore ScoreOfKnown(const PointCloud& points_in_scan, const Pose2& submap_from_scan,
+                        const ProbabilityGrid& grid) {
+  KnownScore score;
+  double sum = 0.0;
+  for (const Eigen::Vector2d& point : Transform(submap_from_scan, points_in_scan)) {
+    const CellIndex cell = CellOf(point, grid.resolution());
+    if (!grid.known(cell)) continue;
+    sum += grid.probability(cell);
+    ++score.num_points;
+  }
+  if (score.num_points > 0) score.mean_probability = sum / score.num_points;
+  return score;
+}
+
 }  // namespace loopscope

@@ -12,4 +12,12 @@ namespace loopscope {
 double MeanProbability(const PointCloud& points_in_scan, const Pose2& submap_from_scan,
                        const ProbabilityGrid& grid);
 
+/// Of the points of a scan that lie in cells that are known.
+struct KnownScore {
+  int num_points = 0;
+  double mean_probability = 0.0;  ///< 0 if there is none
+};
+KnownScore ScoreOfKnown(const PointCloud& points_in_scan, const Pose2& submap_from_scan,
+                        const ProbabilityGrid& grid);
+
 }  // namespace loopscope

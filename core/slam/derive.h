@@ -56,8 +56,8 @@ std::optional<MatchReplay> ReplayMatch(const Recording& recording, int step);
 /// [m] that the robot had gone at each node, as local SLAM has it.
 std::vector<double> NodeWays(const Recording& recording);
 
-/// The gate that a pair had to go through when it came up: at the later of the node's insertion and
-/// the submap's end, which must have finished.
+/// The gate that a pair had to go through when it came up last: at the later of the node's
+/// insertion and the submap's end, which must have finished, or when it got a second look.
 LoopGate GateOfPair(const Recording& recording, SubmapId submap, NodeId node);
 
 /// The pair when it came up, as the mapper asked for it to be searched; the verdict is kTooFar, or

@@ -24,8 +24,12 @@ std::optional<LoopCandidate> SearchedCandidate(const Recording& recording, Subma
   return recording.candidates()[*index];
 }
 
-/// When a pair came up: at the later of the node's insertion and the submap's end.
+/// When a pair came up last: at the later of the node's insertion and the submap's end, unless it
+/// got a second look.
 int ConsideredStep(const Recording& recording, SubmapId submap, NodeId node) {
+  if (const auto index = recording.FindCandidate(submap, node)) {
+    return recording.candidates()[*index].considered_step;
+  }
   return std::max(recording.submap(submap).finished_step, recording.node(node).step);
 }
 
@@ -51,10 +55,23 @@ double MinLoopScoreOf(const Recording& recording, SubmapId submap) {
                       recording.options().pose_graph.constraint_builder);
 }
 
+/// The ways between nodes as search windows count them, added up until each node [m].
+std::vector<double> CountedWays(const Recording& recording) {
+  std::vector<double> ways{0.0};
+  for (std::size_t i = 1; i < recording.nodes().size(); ++i) {
+    const double gap = (recording.nodes()[i].local_from_base.translation -
+                        recording.nodes()[i - 1].local_from_base.translation)
+                           .norm();
+    ways.push_back(ways.back() +
+                   CountedWay(gap, recording.options().pose_graph.constraint_builder));
+  }
+  return ways;
+}
+
 /// What the mapper knew of the ways between submaps in `state`.
 TravelGraph TravelGraphOf(const Recording& recording, const MapState& state) {
   TravelGraph graph;
-  const std::vector<double> ways = NodeWays(recording);
+  const std::vector<double> ways = CountedWays(recording);
   double way_before = 0.0;
   for (int i = 0; i < state.num_submaps; ++i) {
     const double way = ways[recording.submaps()[i].first_node.index];
@@ -80,7 +97,8 @@ Pose2 Guess(const MapState& state, SubmapId submap, NodeId node) {
 /// mapper did: the order of a sum shows in its last bit.
 double WayBetween(const Recording& recording, const MapState& state, SubmapId submap, NodeId node) {
   const Node& record = recording.node(node);
-  const bool node_came_last = record.step > recording.submap(submap).finished_step;
+  const bool node_came_last = record.step > recording.submap(submap).finished_step &&
+                              record.step == ConsideredStep(recording, submap, node);
   const SubmapId from = node_came_last ? record.first_submap : submap;
   const SubmapId to = node_came_last ? submap : record.first_submap;
   return TravelGraphOf(recording, state).WaysFrom(from)[to.index];

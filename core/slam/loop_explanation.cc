@@ -127,7 +127,9 @@ LoopExplanation ExplainLoop(const Recording& recording, SubmapId submap, NodeId 
   const LoopCandidate* const candidate = index ? &recording.candidates()[*index] : nullptr;
   const bool searched = candidate != nullptr && candidate->verdict != Verdict::kNotSampled;
   if (!list.Add({"sampled", searched ? "yes" : "no",
-                 fmt::format("a share of {} of the pairs", options.sampling_ratio), searched},
+                 fmt::format("a share of {} of the pairs{}", options.sampling_ratio,
+                             options.second_look.num_nodes > 0 ? ", or a second look" : ""),
+                 searched},
                 "Not closed: the pair was near enough, but skipped by sampling_ratio. " +
                     (searched ? "" : WouldHaveMatched(recording, submap, node)))) {
     return list.explanation();

@@ -114,6 +114,9 @@ Rows LocalSlamRows(LocalSlamOptions* o) {
          AdaptiveVoxelFilterRows(&o->loop_closure_adaptive_voxel_filter), &rows);
   rows.push_back({"min_num_matched_points", &o->min_num_matched_points, 0, kMaxCount, "",
                   "A scan with fewer points stays where it is predicted."});
+  rows.push_back({"odometry_direction_memory", &o->odometry_direction_memory, 0, 1e6, "m",
+                  "Way over which it is learned to which side of the scanner odometry moves; 0: "
+                  "not."});
   rows.push_back({"use_online_correlative_scan_matching", &o->use_online_correlative_scan_matching,
                   0, 0, "", "Whether the correlative matcher runs before (CS)."});
   Append("real_time_correlative_scan_matcher.",
@@ -162,6 +165,20 @@ Rows LoopConsistencyRows(LoopConsistencyOptions* o) {
   };
 }
 
+Rows SecondLookRows(SecondLookOptions* o) {
+  return {
+      {"num_nodes", &o->num_nodes, 0, kMaxCount, "",
+       "Of a submap without a loop to another of the same place so many nodes are searched; 0: "
+       "none."},
+      {"max_distance", &o->max_distance, 0, kMaxLength, "m",
+       "Between a node and the box around the nodes of the submap, for a second look."},
+      {"min_way", &o->min_way, 0, 1e6, "m",
+       "That the robot went from one to the other, for a second look."},
+      {"min_distance", &o->min_distance, 0, kMaxLength, "m",
+       "By which optimizations must have moved two submaps since the last look."},
+  };
+}
+
 Rows ConstraintBuilderRows(ConstraintBuilderOptions* o) {
   Rows rows = {
       {"sampling_ratio", &o->sampling_ratio, 0, 1, "",
@@ -178,6 +195,8 @@ Rows ConstraintBuilderRows(ConstraintBuilderOptions* o) {
        "Likewise of the angle. Not in Cartographer."},
       {"max_linear_search_window", &o->max_linear_search_window, 0, kMaxLength, "m",
        "Where the growth of the search window ends. Not in Cartographer."},
+      {"search_window_growth_per_gap", &o->search_window_growth_per_gap, 0, 100, "1/m",
+       "Share by which a metre of way counts more for each metre, up to one, between nodes."},
       {"full_sampling_search_window", &o->full_sampling_search_window, 0, kMaxLength, "m",
        "Pairs with a wider search window are sampled less, in inverse proportion; 0: all alike."},
       {"global_localization_min_score", &o->global_localization_min_score, 0, 1, "",
@@ -189,6 +208,7 @@ Rows ConstraintBuilderRows(ConstraintBuilderOptions* o) {
   };
   Append("ambiguity.", LoopAmbiguityRows(&o->ambiguity), &rows);
   Append("consistency.", LoopConsistencyRows(&o->consistency), &rows);
+  Append("second_look.", SecondLookRows(&o->second_look), &rows);
   Append("fast_correlative_scan_matcher.",
          FastCorrelativeScanMatcherRows(&o->fast_correlative_scan_matcher), &rows);
   Append("ceres_scan_matcher.", CeresScanMatcherRows(&o->ceres_scan_matcher), &rows);

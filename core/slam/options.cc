@@ -10,6 +10,7 @@ Options LoopscopePreset() {
   Options options = CartographerPreset();
   LocalSlamOptions& local = options.trajectory_builder_2d;
   local.min_num_matched_points = 30;
+  local.odometry_direction_memory = 100.0;
   local.use_online_correlative_scan_matching = true;
   local.real_time_correlative_scan_matcher.angular_search_window = DegreesToRadians(10.0);
   // In a corridor the scan fits everywhere: stay where odometry says.
@@ -29,12 +30,14 @@ Options LoopscopePreset() {
   loops.min_relative_score = 0.75;
   loops.fast_correlative_scan_matcher.linear_search_window = 1.0;
   loops.fast_correlative_scan_matcher.angular_search_window = DegreesToRadians(5.0);
-  loops.linear_search_window_per_meter = 0.03;
-  loops.angular_search_window_per_meter = DegreesToRadians(0.04);
+  loops.linear_search_window_per_meter = 0.021;
+  loops.angular_search_window_per_meter = DegreesToRadians(0.02);
+  loops.search_window_growth_per_gap = 2.3;
   loops.max_linear_search_window = 20.0;
   loops.full_sampling_search_window = 4.0;
   loops.consistency.min_way = 0.5;
   loops.consistency.num_checked_neighbors = 6;
+  loops.second_look.num_nodes = 4;
   loops.ambiguity.max_relative_score = 0.9;
   loops.consistency.min_num_supporters = 2;
   graph.optimization_problem.huber_scale = 1e2;

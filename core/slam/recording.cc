@@ -22,11 +22,11 @@ void Recording::Append(SlamUpdate update) {
 
 std::optional<int> Recording::FindCandidate(SubmapId submap, NodeId node) const {
   const auto found =
-      std::find_if(candidates_.begin(), candidates_.end(), [&](const LoopCandidate& candidate) {
+      std::find_if(candidates_.rbegin(), candidates_.rend(), [&](const LoopCandidate& candidate) {
         return candidate.submap == submap && candidate.node == node;
       });
-  if (found == candidates_.end()) return std::nullopt;
-  return static_cast<int>(found - candidates_.begin());
+  if (found == candidates_.rend()) return std::nullopt;
+  return static_cast<int>(candidates_.rend() - found) - 1;
 }
 
 }  // namespace loopscope

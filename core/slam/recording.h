@@ -90,7 +90,8 @@ class Recording {
 
   /// In the order in which they were applied.
   const std::vector<LoopCandidate>& candidates() const { return candidates_; }
-  /// Index of the candidate of a pair, which comes up once at most; nothing if it never did.
+  /// Index of the last candidate of a pair, which comes up again if it gets a second look; nothing
+  /// if it never did.
   std::optional<int> FindCandidate(SubmapId submap, NodeId node) const;
 
   const std::vector<Optimization>& optimizations() const { return optimizations_; }

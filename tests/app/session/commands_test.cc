@@ -78,6 +78,14 @@ TEST_F(SessionCommandsTest, StepInsideOfTheRecording) {
   EXPECT_EQ(Run("edit.undo").step, last) << "all steps in a row are one";
 }
 
+TEST_F(SessionCommandsTest, GoToTheScanOfTheSelectedNode) {
+  const int last = session_.last_step();
+  EXPECT_EQ(Run("step.node").step, last) << "nothing is selected";
+  Run("select.node 20");
+  EXPECT_EQ(Run("step.node").step, session_.recording().nodes()[20].step);
+  EXPECT_EQ(session_.state().node, NodeId{20}) << "it stays selected";
+}
+
 TEST_F(SessionCommandsTest, GoFromEventToEvent) {
   Run("step.first");
   const int loop = Run("event.next_loop").step;

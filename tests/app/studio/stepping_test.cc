@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
+#include <QTableView>
 #include <QtTest>
 
 #include "app/studio/timeline_widget.h"

@@ -33,6 +33,15 @@ TEST(LoopGate, MeasuresTheDistanceToTheBoxOfTheNodes) {
   EXPECT_DOUBLE_EQ(GateAt(5.0, -3.0, 0.0).distance, 2.0);
 }
 
+TEST(CountedWay, CountsWhatLiesBetweenNodesFarApartForMore) {
+  ConstraintBuilderOptions options = Options();
+  EXPECT_EQ(CountedWay(0.7, options), 0.7);
+  options.search_window_growth_per_gap = 1.5;
+  EXPECT_DOUBLE_EQ(CountedWay(0.2, options), 0.2 * 1.3);
+  EXPECT_DOUBLE_EQ(CountedWay(1.0, options), 2.5);
+  EXPECT_DOUBLE_EQ(CountedWay(4.0, options), 10.0) << "no more than that for a metre";
+}
+
 TEST(LoopGate, OpensTheWindowWithTheWay) {
   EXPECT_DOUBLE_EQ(GateAt(0.0, 0.0, 0.0).linear_window, 1.0);
   EXPECT_DOUBLE_EQ(GateAt(0.0, 0.0, 20.0).linear_window, 3.0);

@@ -90,6 +90,27 @@ TEST(PoseGraph, LeavesAPairThatIsNotSampled) {
   EXPECT_EQ(run.graph().CollectLoops(kStep).at(0).verdict, Verdict::kNotSampled);
 }
 
+TEST(PoseGraph, GivesSubmapsOfTheSamePlaceWithoutALoopASecondLook) {
+  PoseGraphOptions options = Options();
+  options.constraint_builder.sampling_ratio = 0.0;
+  options.constraint_builder.second_look.num_nodes = 2;
+  options.constraint_builder.second_look.min_way = 0.5;
+  ReturnToARoom run(options);
+  run.ComeTo(kFirst);
+  run.graph().FinishSubmap(SubmapId{1}, SimulatedRoom().grid(), kStep + 1);
+  for (const LoopCandidate& candidate : run.graph().CollectLoops(kStep + 1)) {
+    EXPECT_EQ(candidate.verdict, Verdict::kNotSampled);
+  }
+  const auto candidates = run.graph().CollectLoops(kStep + 9);
+  ASSERT_EQ(candidates.size(), 2u);  // each of the two nodes in the other submap
+  EXPECT_EQ(candidates[0].verdict, Verdict::kAccepted);
+  EXPECT_EQ(candidates[0].submap, SubmapId{0});
+  EXPECT_EQ(candidates[0].node, NodeId{1});
+  EXPECT_EQ(candidates[0].considered_step, kStep + 9);
+  EXPECT_THAT(candidates[0].submap_from_node, PoseNear(kFirst, 0.02, 0.005));
+  EXPECT_TRUE(run.graph().CollectLoops(kStep + 20).empty()) << "a loop ties them";
+}
+
 TEST(PoseGraph, DoesNotConsiderWhatIsTooFarOrBlindOrLiesInTheSubmap) {
   ReturnToARoom run(Options());
   run.AddNode(Pose2(4.1, 0.5, 0.0), {{1.0, 0.0}}, 1);  // 3.1 m from the only node of submap 0

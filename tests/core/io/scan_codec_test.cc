@@ -3,6 +3,7 @@
 #include "core/io/scan_codec.h"
 
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <random>
@@ -39,6 +40,13 @@ std::vector<LaserScan> Unpack(const std::string& bytes) {
   return scans;
 }
 
+/// NaN as well as -0 are told apart.
+std::vector<std::uint32_t> BitsOf(const std::vector<float>& numbers) {
+  std::vector<std::uint32_t> bits(numbers.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i) std::memcpy(&bits[i], &numbers[i], 4);
+  return bits;
+}
+
 void ExpectComeBack(const std::vector<LaserScan>& scans) {
   const std::vector<LaserScan> read = Unpack(Pack(scans));
   ASSERT_EQ(read.size(), scans.size());
@@ -47,10 +55,7 @@ void ExpectComeBack(const std::vector<LaserScan>& scans) {
     EXPECT_EQ(read[i].beam_geometry, scans[i].beam_geometry);
     EXPECT_EQ(read[i].num_odometry_before, scans[i].num_odometry_before);
     ASSERT_EQ(read[i].ranges.size(), scans[i].ranges.size());
-    EXPECT_EQ(std::memcmp(read[i].ranges.data(), scans[i].ranges.data(),
-                          sizeof(float) * scans[i].ranges.size()),
-              0)
-        << i;
+    EXPECT_EQ(BitsOf(read[i].ranges), BitsOf(scans[i].ranges)) << i;
   }
 }
 

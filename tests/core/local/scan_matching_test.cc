@@ -24,10 +24,8 @@ class ScanMatching : public ::testing::Test {
   }
 
   LocalSlamOptions options_;
-
- private:
   const SimulatedRoom room_;
-  const PointCloud points_ = room_.ScanAt(kTruth);
+  PointCloud points_ = room_.ScanAt(kTruth);
 };
 
 TEST_F(ScanMatching, RefinesThePrior) {
@@ -68,6 +66,18 @@ TEST_F(ScanMatching, StaysAtAMeasuredPriorIfItMatchesNowhereAsExpected) {
   options_.recovery.angular_search_window = 0.1;
   EXPECT_EQ(Match(kWrongPrior, 0.9, true).submap_from_base, kWrongPrior);
   EXPECT_NE(Match(kWrongPrior, 0.9, false).submap_from_base, kWrongPrior);
+}
+
+TEST_F(ScanMatching, KeepsTheNearMatchOfAScanThatLooksMostlyWhereNothingIsKnown) {
+  options_.recovery.min_relative_score = 0.6;
+  options_.min_num_matched_points = 30;
+  for (int i = 0; i < 3000; ++i) points_.emplace_back(20.0 + 0.01 * i, 40.0);
+  const ScanMatch match = Match(kTruth * Pose2(0.03, 0.02, 0.01), 0.9, true);
+  EXPECT_LT(match.score, 0.6 * 0.9);
+  EXPECT_THAT(match.submap_from_base, PoseNear(kTruth, 0.03, 0.01));
+  EXPECT_NE(match.submap_from_base, kTruth * Pose2(0.03, 0.02, 0.01));
+  options_.min_num_matched_points = 5000;
+  EXPECT_EQ(Match(kWrongPrior, 0.9, true).submap_from_base, kWrongPrior) << "too few are known";
 }
 
 TEST_F(ScanMatching, KeepsTheNearMatchIfTheWideSearchGainsTooLittle) {

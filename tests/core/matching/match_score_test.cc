@@ -31,5 +31,15 @@ TEST(MeanProbability, MovesTheScanToTheFrameOfTheSubmap) {
   EXPECT_NEAR(MeanProbability({{2.0, 0.0}}, Pose2(4.0, 4.0, M_PI / 2.0), grid), 0.7, 1e-4);
 }
 
+TEST(ScoreOfKnown, LeavesOutPointsInUnknownCells) {
+  const ProbabilityGrid grid = GridDrawn({"9 4"}, 1.0);
+  const KnownScore score =
+      ScoreOfKnown({{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}, {50.0, 0.0}}, Pose2(), grid);
+  EXPECT_EQ(score.num_points, 2);
+  EXPECT_NEAR(score.mean_probability, 0.65, 1e-4);
+  EXPECT_EQ(ScoreOfKnown({{1.0, 0.0}}, Pose2(), grid).num_points, 0);
+  EXPECT_EQ(ScoreOfKnown({{1.0, 0.0}}, Pose2(), grid).mean_probability, 0.0);
+}
+
 }  // namespace
 }  // namespace loopscope
