@@ -15,7 +15,7 @@ PoseGraph::PoseGraph(const PoseGraphOptions& options, int num_threads)
       loop_search_(options.constraint_builder, num_threads) {}
 
 void PoseGraph::AddSubmap(const Pose2& local_from_submap) {
-  submaps_.push_back({local_from_submap, NodeId{static_cast<int>(nodes_.size())}, 0, {}, 0.0});
+  submaps_.push_back({local_from_submap, NodeId{static_cast<int>(nodes_.size())}, 0, {}, 0.0, 0.0});
   global_from_submap_.push_back(global_from_local_ * local_from_submap);
 }
 
@@ -40,21 +40,17 @@ void PoseGraph::AddNode(const NodeData& node, int step) {
 }
 
 void PoseGraph::AddWayTo(NodeId id) {
-  if (id.index == 0) {
-    node_ways_.push_back(0.0);
-    counted_ways_.push_back(0.0);
-  } else {
-    const double gap = (nodes_[id.index].local_from_node.translation -
-                        nodes_[id.index - 1].local_from_node.translation)
-                           .norm();
-    node_ways_.push_back(node_ways_.back() + gap);
-    counted_ways_.push_back(counted_ways_.back() + CountedWay(gap, options_.constraint_builder));
-  }
+  const double gap = id.index == 0 ? 0.0
+                                   : (nodes_[id.index].local_from_node.translation -
+                                      nodes_[id.index - 1].local_from_node.translation)
+                                         .norm();
+  node_ways_.push_back(id.index == 0 ? 0.0 : node_ways_.back() + gap);
+  counted_way_ += CountedWay(gap, options_.constraint_builder);
   if (submaps_.back().first_node != id) return;
+  submaps_.back().counted_way = counted_way_;
   const std::size_t num_submaps = submaps_.size();
-  const double way_before =
-      num_submaps < 2 ? 0.0 : counted_ways_[submaps_[num_submaps - 2].first_node.index];
-  travel_graph_.AddSubmap(counted_ways_.back() - way_before);
+  const double way_before = num_submaps < 2 ? 0.0 : submaps_[num_submaps - 2].counted_way;
+  travel_graph_.AddSubmap(counted_way_ - way_before);
 }
 
 void PoseGraph::AddConsecutive(NodeId id) {

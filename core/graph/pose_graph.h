@@ -77,6 +77,7 @@ class PoseGraph {
     int num_nodes = 0;
     Eigen::AlignedBox2d node_box;  ///< around its nodes, in its frame
     double min_loop_score = 0.0;   ///< once it is finished
+    double counted_way = 0.0;      ///< [m] to its first node, as CountedWay has it
   };
 
   std::vector<NodeData> nodes_;
@@ -84,7 +85,7 @@ class PoseGraph {
   std::vector<SubmapId> finished_submaps_;
   std::size_t num_looked_at_ = 0;  ///< of finished_submaps_: those whose own pairs were collected
   std::vector<double> node_ways_;  ///< [m] that the robot had gone at each node
-  std::vector<double> counted_ways_;    ///< likewise, as CountedWay has it
+  double counted_way_ = 0.0;       ///< [m] to the last node, as CountedWay has it
   std::vector<LoopDrift> loop_drifts_;  ///< of the loops that were accepted
   SecondLook second_look_;
   TravelGraph travel_graph_;

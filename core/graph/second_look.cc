@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/graph/second_look.h"
 
-#include <cmath>
-
 namespace loopscope {
 namespace {
 
@@ -26,6 +24,10 @@ std::vector<NodeId> NearNodes(const SubmapPlace& submap, const SubmapPlace& othe
   return nodes;
 }
 
+Pose2 FirstFromSecond(const SubmapPlace& first, const SubmapPlace& second) {
+  return first.global_from_submap.Inverse() * second.global_from_submap;
+}
+
 /// `count` of `nodes` at most, as far from each other as can be.
 std::vector<NodeId> Spread(const std::vector<NodeId>& nodes, int count) {
   const int size = static_cast<int>(nodes.size());
@@ -46,10 +48,11 @@ std::vector<SecondLook::Pair> SecondLook::Choose(const std::vector<SubmapPlace>&
     for (std::size_t a = 0; a < b; ++a) {
       const SubmapPlace& first = submaps[a];
       const SubmapPlace& second = submaps[b];
-      if (tied_.count({first.id, second.id}) > 0) continue;
+      if (!IsDue(first, second)) continue;
       const auto in_first = NearNodes(first, second, global_from_node, node_ways, options_);
       const auto in_second = NearNodes(second, first, global_from_node, node_ways, options_);
-      if ((in_first.empty() && in_second.empty()) || !HasMoved(first, second)) continue;
+      if (in_first.empty() && in_second.empty()) continue;
+      looked_at_[{first.id, second.id}] = FirstFromSecond(first, second);
       for (const NodeId node : Spread(in_first, options_.num_nodes)) {
         pairs.emplace_back(first.id, node);
       }
@@ -61,14 +64,13 @@ std::vector<SecondLook::Pair> SecondLook::Choose(const std::vector<SubmapPlace>&
   return pairs;
 }
 
-bool SecondLook::HasMoved(const SubmapPlace& a, const SubmapPlace& b) {
-  const Pose2 a_from_b = a.global_from_submap.Inverse() * b.global_from_submap;
-  const auto [place, is_new] = looked_at_.emplace(std::pair(a.id, b.id), a_from_b);
-  if (is_new) return true;
-  const Eigen::Vector2d moved = place->second.translation - a_from_b.translation;
-  if (moved.norm() < options_.min_distance) return false;
-  place->second = a_from_b;
-  return true;
+bool SecondLook::IsDue(const SubmapPlace& first, const SubmapPlace& second) const {
+  if (tied_.count({first.id, second.id}) > 0) return false;
+  const auto last_look = looked_at_.find({first.id, second.id});
+  if (last_look == looked_at_.end()) return true;
+  const Eigen::Vector2d moved =
+      FirstFromSecond(first, second).translation - last_look->second.translation;
+  return moved.norm() >= options_.min_distance;
 }
 
 }  // namespace loopscope

@@ -49,8 +49,8 @@ class SecondLook {
                            const std::vector<double>& node_ways);
 
  private:
-  /// Whether the two were moved since they were last looked at; if so, takes note.
-  bool HasMoved(const SubmapPlace& a, const SubmapPlace& b);
+  /// Whether it is worth a look: no loop ties the two, and they were moved since the last one.
+  bool IsDue(const SubmapPlace& first, const SubmapPlace& second) const;
 
   SecondLookOptions options_;
   std::set<std::pair<SubmapId, SubmapId>> tied_;

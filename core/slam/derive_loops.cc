@@ -55,23 +55,25 @@ double MinLoopScoreOf(const Recording& recording, SubmapId submap) {
                       recording.options().pose_graph.constraint_builder);
 }
 
-/// The ways between nodes as search windows count them, added up until each node [m].
-std::vector<double> CountedWays(const Recording& recording) {
-  std::vector<double> ways{0.0};
-  for (std::size_t i = 1; i < recording.nodes().size(); ++i) {
-    const double gap = (recording.nodes()[i].local_from_base.translation -
-                        recording.nodes()[i - 1].local_from_base.translation)
-                           .norm();
-    ways.push_back(ways.back() +
-                   CountedWay(gap, recording.options().pose_graph.constraint_builder));
+/// What the gaps between nodes [m] count, added up until each node.
+template <typename Count>
+std::vector<double> SumOfGaps(const std::vector<Node>& nodes, const Count& count) {
+  std::vector<double> sums;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    sums.push_back(i == 0 ? 0.0
+                          : sums.back() + count((nodes[i].local_from_base.translation -
+                                                 nodes[i - 1].local_from_base.translation)
+                                                    .norm()));
   }
-  return ways;
+  return sums;
 }
 
 /// What the mapper knew of the ways between submaps in `state`.
 TravelGraph TravelGraphOf(const Recording& recording, const MapState& state) {
   TravelGraph graph;
-  const std::vector<double> ways = CountedWays(recording);
+  const std::vector<double> ways = SumOfGaps(recording.nodes(), [&](double gap) {
+    return CountedWay(gap, recording.options().pose_graph.constraint_builder);
+  });
   double way_before = 0.0;
   for (int i = 0; i < state.num_submaps; ++i) {
     const double way = ways[recording.submaps()[i].first_node.index];
@@ -93,28 +95,27 @@ Pose2 Guess(const MapState& state, SubmapId submap, NodeId node) {
   return state.global_from_submap[submap.index].Inverse() * state.global_from_node[node.index];
 }
 
-/// [m] that the robot went between submap and node. Added up from the one that came last, as the
-/// mapper did: the order of a sum shows in its last bit.
+/// [m] that the robot went between submap and node, in the state when they came up. Added up from
+/// the one that came last, as the mapper did: the order of a sum shows in its last bit.
 double WayBetween(const Recording& recording, const MapState& state, SubmapId submap, NodeId node) {
   const Node& record = recording.node(node);
-  const bool node_came_last = record.step > recording.submap(submap).finished_step &&
-                              record.step == ConsideredStep(recording, submap, node);
+  const bool node_came_last =
+      record.step > recording.submap(submap).finished_step && record.step == state.step;
   const SubmapId from = node_came_last ? record.first_submap : submap;
   const SubmapId to = node_came_last ? submap : record.first_submap;
   return TravelGraphOf(recording, state).WaysFrom(from)[to.index];
 }
 
+LoopGate GateIn(const MapState& state, const Recording& recording, SubmapId submap, NodeId node) {
+  return EvaluateLoopGate(Guess(state, submap, node), NodeBox(recording, submap),
+                          WayBetween(recording, state, submap, node),
+                          recording.options().pose_graph.constraint_builder);
+}
+
 }  // namespace
 
 std::vector<double> NodeWays(const Recording& recording) {
-  std::vector<double> ways;
-  for (std::size_t i = 0; i < recording.nodes().size(); ++i) {
-    ways.push_back(i == 0 ? 0.0
-                          : ways.back() + (recording.nodes()[i].local_from_base.translation -
-                                           recording.nodes()[i - 1].local_from_base.translation)
-                                              .norm());
-  }
-  return ways;
+  return SumOfGaps(recording.nodes(), [](double gap) { return gap; });
 }
 
 std::optional<SearchReplay> ReplaySearch(const Recording& recording, SubmapId submap, NodeId node,
@@ -141,20 +142,17 @@ std::optional<SearchReplay> ReplaySearch(const Recording& recording, SubmapId su
 }
 
 LoopGate GateOfPair(const Recording& recording, SubmapId submap, NodeId node) {
-  const MapState state = StateWhenConsidered(recording, submap, node);
-  return EvaluateLoopGate(Guess(state, submap, node), NodeBox(recording, submap),
-                          WayBetween(recording, state, submap, node),
-                          recording.options().pose_graph.constraint_builder);
+  return GateIn(StateWhenConsidered(recording, submap, node), recording, submap, node);
 }
 
 LoopCandidate ConsiderPair(const Recording& recording, SubmapId submap, NodeId node) {
-  const LoopGate gate = GateOfPair(recording, submap, node);
+  const MapState state = StateWhenConsidered(recording, submap, node);
+  const LoopGate gate = GateIn(state, recording, submap, node);
   LoopCandidate candidate;
   candidate.submap = submap;
   candidate.node = node;
-  candidate.considered_step = ConsideredStep(recording, submap, node);
-  candidate.submap_from_node_guess =
-      Guess(StateWhenConsidered(recording, submap, node), submap, node);
+  candidate.considered_step = state.step;
+  candidate.submap_from_node_guess = Guess(state, submap, node);
   candidate.linear_search_window = gate.linear_window;
   candidate.angular_search_window = gate.angular_window;
   candidate.min_score = MinLoopScoreOf(recording, submap);
