@@ -136,9 +136,13 @@ void Tile::Show(const Session& session) {
   worker_->Ask(index_, request, view_->device_pixels());
 }
 
+bool Tile::IsOfOtherSize(const ViewRequest& request) const {
+  return asked_ && (asked_->width != request.width || asked_->height != request.height);
+}
+
 void Tile::TakeScene() {
   std::optional<DrawnScene> drawn = worker_->Take(index_);
-  if (!drawn) return;
+  if (!drawn || IsOfOtherSize(drawn->request)) return;
   message_->setText(QString::fromStdString(drawn->error));
   search_size_ = drawn->search.value_or(SearchSize());
   search_->Show(search_size_, drawn->request.search);

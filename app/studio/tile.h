@@ -50,6 +50,8 @@ class Tile : public QWidget {
   void Select(const QPoint& position);
   /// Goes to a point of a chart; shows all of any other view.
   void GoTo(const QPoint& position);
+  /// Asked for before the view was resized: another picture is on its way.
+  bool IsOfOtherSize(const ViewRequest& request) const;
   std::optional<Finding> FindAt(const QPoint& position) const;
 
   int index_;

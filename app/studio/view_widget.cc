@@ -8,6 +8,7 @@
 #include <mutex>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
 
 #include "render/text.h"
@@ -28,6 +29,11 @@ bool Contains(const Box& box, const Eigen::Vector2d& point) {
 ViewWidget::ViewWidget(QWidget* parent) : QVTKOpenGLNativeWidget(parent) {
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   window->SetMultiSamples(0);
+  vtkNew<vtkRenderer> paper;
+  const QColor color = palette().color(QPalette::Base);
+  paper->SetBackground(color.redF(), color.greenF(), color.blueF());
+  window->AddRenderer(paper);
+  paper_ = paper;
   setRenderWindow(window);
   setEnableHiDPI(false);  // texts of a scene are as large already as the screen needs them
   interactor()->SetInteractorStyle(nullptr);
@@ -63,7 +69,6 @@ void ViewWidget::Show(Scene scene, bool keep_camera) {
 }
 
 void ViewWidget::Clear() {
-  if (paper_ == nullptr) return;
   makeCurrent();
   scene_ = Scene();
   draw_edge_ = nullptr;

@@ -69,7 +69,7 @@ class ViewWidget : public QVTKOpenGLNativeWidget {
 
   Scene scene_;
   std::vector<vtkRenderer*> panels_;                   // of the window, as in scene_
-  vtkRenderer* paper_ = nullptr;                       // around the panels
+  vtkRenderer* paper_ = nullptr;                       // around the panels, even without them
   std::function<Props(const FlatCamera&)> draw_edge_;  // of the main panel
   Props edge_;
   bool is_moved_ = false;  // the camera is not that of the scene
