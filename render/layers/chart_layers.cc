@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/layers/chart_layers.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "render/layers/labels.h"
@@ -27,6 +28,8 @@ class TextPlacer {
 
   /// So many heights of the text in the coordinates of the panel.
   double Em(double count) const { return count * style_.size * pixel_; }
+
+  double Width(const std::string& text) const { return pixel_ * TextWidth(text, style_); }
 
   const std::vector<Label>& labels() const { return labels_; }
 
@@ -67,9 +70,13 @@ std::vector<Label> ThresholdLabels(const ChartPlot& plot,
       continue;
     }
     const double x = plot.At(threshold.value, plot.y.min).x();
-    placer.Write(threshold.label,
-                 {x + placer.Em(is_last ? 0.4 : -0.4), plot.box.top() - placer.Em(0.9)},
-                 is_last ? 0.0 : 1.0);
+    const double y = plot.box.top() - placer.Em(0.9);
+    if (is_last) {
+      const double rightmost = plot.box.right() - placer.Width(threshold.label);
+      placer.Write(threshold.label, {std::min(x + placer.Em(0.4), rightmost), y}, 0.0);
+    } else {
+      placer.Write(threshold.label, {x - placer.Em(0.4), y}, 1.0);
+    }
   }
   return placer.labels();
 }
