@@ -58,13 +58,13 @@ RunOpener::~RunOpener() { reading_.waitForFinished(); }
 
 void RunOpener::Open(const std::string& path, const Options& options) {
   options_ = options;
-  is_forgotten_ = false;
+  is_reading_ = true;
   emit Reading(QString::fromStdString(path));
   reading_.setFuture(QtConcurrent::run([path] { return ReadAny(path); }));
 }
 
 void RunOpener::TakeFile() {
-  if (is_forgotten_) return;
+  if (!std::exchange(is_reading_, false)) return;
   const std::shared_ptr<ReadFile> file = reading_.result();
   if (!file->error.empty()) {
     emit Failed(QString::fromStdString(file->error));
@@ -90,7 +90,7 @@ void RunOpener::Map(const ScanLog& log, const Options& options, const std::strin
 }
 
 void RunOpener::Stop() {
-  is_forgotten_ = true;
+  is_reading_ = false;
   if (mapping_) mapping_->Stop();
 }
 

@@ -37,7 +37,7 @@ class RunOpener : public QObject {
   /// Forgets a file that is being read, and stops mapping; what was mapped until now stays.
   void Stop();
 
-  bool IsReading() const { return reading_.isRunning() && !is_forgotten_; }
+  bool IsReading() const { return is_reading_; }
   bool IsMapping() const { return mapping_ != nullptr; }
   MappingProgress progress() const;
   double seconds() const;
@@ -59,7 +59,7 @@ class RunOpener : public QObject {
   void EndMapping();
 
   QFutureWatcher<std::shared_ptr<ReadFile>> reading_;
-  bool is_forgotten_ = false;  // what is being read
+  bool is_reading_ = false;  // a file that is wanted still, until it is taken
   Options options_;
   std::unique_ptr<MappingWorker> mapping_;
 };
