@@ -84,16 +84,35 @@ Drive DriveWithOdometry() {
   return drive;
 }
 
-TEST(DenseTrajectory, CarriesNodesOnByOdometryAndSpreadsWhatIsMissing) {
+TEST(DenseTrajectory, CarriesScansOnByOdometryAndSpreadsWhatIsMissing) {
   const Recording recording = DriveWithOdometry().ToRecording();
   const Trajectory trajectory = DenseTrajectory(recording, LastState(recording));
   ASSERT_EQ(trajectory.size(), 6u);
   ExpectPose(trajectory[0], 0.0, Pose2(0.0, -1.0, M_PI / 2.0));
   ExpectPose(trajectory[1], 1.0, Pose2(0.0, 0.0, M_PI / 2.0));
-  ExpectPose(trajectory[2], 2.0, Pose2(0.0, 1.0 + 0.5, M_PI / 2.0));
-  ExpectPose(trajectory[3], 2.5, Pose2(0.0, 1.0 + 0.75, M_PI / 2.0));
+  ExpectPose(trajectory[2], 2.0, Pose2(0.0, 1.0 + 0.6 / 2.0, M_PI / 2.0));
+  ExpectPose(trajectory[3], 2.5, Pose2(0.0, 1.6, M_PI / 2.0));
   ExpectPose(trajectory[4], 3.0, Pose2(0.0, 3.0, M_PI / 2.0));
   ExpectPose(trajectory[5], 4.0, Pose2(0.0, 4.0, M_PI / 2.0));
+}
+
+TEST(DenseTrajectory, CarriesNodesOnByLocalSlamAndSpreadsWhatLoopsMoved) {
+  Drive drive;
+  drive.AddOdometry(0.0, Pose2());
+  drive.AddNode(0.0, Pose2(), Pose2());
+  drive.AddScan(0.1, Pose2(1.0, 0.0, 0.0));
+  drive.AddScan(0.2, Pose2(2.0, 0.0, 0.0));
+  drive.AddScan(1.0, Pose2(3.0, 0.0, 0.0));
+  drive.AddNode(2.0, Pose2(4.0, 0.0, 0.0), Pose2(4.0, 0.4, 0.0));
+  drive.AddScan(3.0, Pose2(5.0, 0.0, 0.0));
+  for (const bool use_odometry : {false, true}) {
+    const Recording recording = drive.ToRecording(use_odometry);
+    const Trajectory trajectory = DenseTrajectory(recording, LastState(recording));
+    ASSERT_EQ(trajectory.size(), 6u);
+    ExpectPose(trajectory[1], 0.1, Pose2(1.0, 0.1, 0.0));
+    ExpectPose(trajectory[3], 1.0, Pose2(3.0, 0.3, 0.0));
+    ExpectPose(trajectory[5], 3.0, Pose2(5.0, 0.4, 0.0));
+  }
 }
 
 TEST(DenseTrajectory, SpreadsTurnsTheShortWay) {
