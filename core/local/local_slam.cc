@@ -16,7 +16,8 @@ constexpr double kExpectedScoreGain = 0.05;
 LocalSlam::LocalSlam(const ScanLog& log, const LocalSlamOptions& options)
     : log_(log),
       options_(options),
-      extrapolator_(OdometryDirection(options.odometry_direction_memory)),
+      extrapolator_(OdometryDirection(options.odometry_direction_memory),
+                    SteadyPace(options.steady_pace_memory)),
       motion_filter_(options.motion_filter),
       active_submaps_(options.submaps) {}
 

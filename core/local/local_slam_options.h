@@ -41,6 +41,12 @@ struct LocalSlamOptions {
   /// [m] Way over which it is learned to which side of the scanner odometry moves; 0: not at all.
   /// Not in Cartographer.
   double odometry_direction_memory = 0.0;
+  /// Number of scans over which it is learned whether stamps tell how far the robot went; 0: they
+  /// do. For scans without odometry; not in Cartographer.
+  int steady_pace_memory = 0;
+  /// A pose that no odometry predicted is looked for in windows this many times as large, and its
+  /// deviation from the prediction weighs as much less. Not in Cartographer.
+  double unmeasured_prior_scale = 1.0;
 };
 
 }  // namespace loopscope

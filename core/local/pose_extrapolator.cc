@@ -18,11 +18,19 @@ Pose2 PoseExtrapolator::Predict(double time, const std::optional<Pose2>& odom_fr
     return last_->local_from_base *
            direction_.Corrected(last_->odom_from_base->Inverse() * *odom_from_base);
   }
-  if (!before_last_ || last_->time <= before_last_->time) return last_->local_from_base;
-  const Pose2 motion = before_last_->local_from_base.Inverse() * last_->local_from_base;
-  const double stretch =
-      std::clamp((time - last_->time) / (last_->time - before_last_->time), 0.0, kMaxStretch);
+  if (!before_last_) return last_->local_from_base;
+  const Pose2 motion = LastMotion();
+  const double stretch = pace_.Stretch(StretchUntil(time));
   return last_->local_from_base * Pose2(stretch * motion.translation, stretch * motion.rotation);
+}
+
+Pose2 PoseExtrapolator::LastMotion() const {
+  return before_last_->local_from_base.Inverse() * last_->local_from_base;
+}
+
+double PoseExtrapolator::StretchUntil(double time) const {
+  if (last_->time <= before_last_->time) return 0.0;
+  return std::clamp((time - last_->time) / (last_->time - before_last_->time), 0.0, kMaxStretch);
 }
 
 void PoseExtrapolator::AddPose(double time, const Pose2& local_from_base,
@@ -30,6 +38,10 @@ void PoseExtrapolator::AddPose(double time, const Pose2& local_from_base,
   if (last_ && last_->odom_from_base && odom_from_base) {
     direction_.Learn(last_->odom_from_base->Inverse() * *odom_from_base,
                      last_->local_from_base.Inverse() * local_from_base);
+  }
+  if (before_last_) {
+    pace_.Learn(LastMotion(), StretchUntil(time),
+                last_->local_from_base.Inverse() * local_from_base);
   }
   before_last_ = last_;
   last_ = Known{time, local_from_base, odom_from_base};

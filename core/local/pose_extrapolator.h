@@ -6,13 +6,15 @@
 
 #include "core/geometry/pose2.h"
 #include "core/local/odometry_direction.h"
+#include "core/local/steady_pace.h"
 
 namespace loopscope {
 
 /// Predicts where the robot is when a scan comes, from where the scans before were matched.
 class PoseExtrapolator {
  public:
-  explicit PoseExtrapolator(const OdometryDirection& direction) : direction_(direction) {}
+  PoseExtrapolator(const OdometryDirection& direction, const SteadyPace& pace)
+      : direction_(direction), pace_(pace) {}
 
   /// The pose at `time` [s]: the motion that odometry measured since the last pose, if it was known
   /// there and is now; else the velocity between the last two poses, kept. The identity before any
@@ -29,9 +31,14 @@ class PoseExtrapolator {
     Pose2 local_from_base;
     std::optional<Pose2> odom_from_base;
   };
+  /// Between the two last poses, in proportion to the time between them.
+  double StretchUntil(double time) const;
+  Pose2 LastMotion() const;
+
   std::optional<Known> last_;
   std::optional<Known> before_last_;
   OdometryDirection direction_;
+  SteadyPace pace_;
 };
 
 }  // namespace loopscope

@@ -30,6 +30,19 @@ ScanMatch MatchNear(const PointCloud& points_in_base, const ProbabilityGrid& gri
   return match;
 }
 
+/// `options` for a prior that nobody measured: the robot may have sped up or turned meanwhile.
+LocalSlamOptions Loosened(LocalSlamOptions options) {
+  const double scale = options.unmeasured_prior_scale;
+  CorrelativeScanMatcherOptions& correlative = options.real_time_correlative_scan_matcher;
+  correlative.linear_search_window *= scale;
+  correlative.angular_search_window *= scale;
+  correlative.translation_delta_cost_weight /= scale;
+  correlative.rotation_delta_cost_weight /= scale;
+  options.ceres_scan_matcher.translation_weight /= scale;
+  options.ceres_scan_matcher.rotation_weight /= scale;
+  return options;
+}
+
 /// The best match in the wide window, if it beats `min_score`.
 std::optional<ScanMatch> Recover(const PointCloud& points_in_base, const ProbabilityGrid& grid,
                                  const Pose2& submap_from_base_prior, double min_score,
@@ -63,7 +76,8 @@ bool MatchesWhatIsKnown(const PointCloud& points_in_base, const ScanMatch& match
 ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& grid,
                     const Pose2& submap_from_base_prior, bool prior_is_measured,
                     double expected_score, const LocalSlamOptions& options) {
-  const ScanMatch near = MatchNear(points_in_base, grid, submap_from_base_prior, options);
+  const ScanMatch near = MatchNear(points_in_base, grid, submap_from_base_prior,
+                                   prior_is_measured ? options : Loosened(options));
   const double min_score = options.recovery.min_relative_score * expected_score;
   if (near.score >= min_score) return near;
   const auto recovered =

@@ -17,10 +17,11 @@ struct ScanMatch {
   double score = 0.0;      ///< mean probability at the points there
 };
 
-/// Local scan matching: the correlative matcher, if it is switched on, then (CS). If the scan
+/// Local scan matching: the correlative matcher, if it is switched on, then (CS); within
+/// unmeasured_prior_scale if the prior was not measured (by odometry). If the scan
 /// matches badly there, measured by the `expected_score`, it is searched for in a wide window
 /// around the prior; if it is not found there either, and its points in known cells match badly
-/// too, it stays at the prior if that was measured (by odometry), else at the bad match.
+/// too, it stays at the prior if that was measured, else at the bad match.
 ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& grid,
                     const Pose2& submap_from_base_prior, bool prior_is_measured,
                     double expected_score, const LocalSlamOptions& options);

@@ -72,9 +72,12 @@ void SumSomeBlocks(const PrecomputedGrid& grid, const CellIndex* cells, std::siz
     if (k <= -kBlocksPerSide || k >= grid.strip_length()) continue;
     const int place = grid.strip_start(x & (stride - 1)) + k;
     if (y >= 0 && y < last_whole) {
-      const std::uint8_t* const entries = grid.row(y) + place;
+      const std::uint8_t* entries = grid.row(y) + place;
 #pragma GCC unroll 8  // keeps the sums in registers
-      for (int j = 0; j < kBlocksPerSide; ++j) sums[j].Add(entries + j * row_step);
+      for (int j = 0; j < kBlocksPerSide; ++j) {
+        sums[j].Add(entries);
+        entries += row_step;
+      }
       continue;
     }
 #pragma GCC unroll 8

@@ -4,8 +4,54 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
+// Highway compiles the functions between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE once for each
+// instruction set, and chooses when the program runs.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/matching/search_lattice.cc"
+#include <hwy/foreach_target.h>
+// Must come after it.
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace loopscope::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// CellOf of many points, moved by `rotation` and `translation` [m] before.
+void CellsOfMovedHere(const Eigen::Vector2d* points, std::size_t num_points,
+                      const Eigen::Matrix2d& rotation, const Eigen::Vector2d& translation,
+                      double resolution, CellIndex* cells) {
+  const hn::ScalableTag<double> numbers;
+  const hn::Rebind<std::int32_t, decltype(numbers)> indices;
+  static_assert(sizeof(CellIndex) == 2 * sizeof(std::int32_t) &&
+                sizeof(Eigen::Vector2d) == 2 * sizeof(double));
+  const auto r = hn::Set(numbers, resolution);
+  const auto coordinate = [&](int row, auto x, auto y) HWY_ATTR {
+    const auto turned = hn::Add(hn::Mul(hn::Set(numbers, rotation(row, 0)), x),
+                                hn::Mul(hn::Set(numbers, rotation(row, 1)), y));
+    const auto moved = hn::Add(turned, hn::Set(numbers, translation[row]));
+    const auto cell = hn::Floor(hn::Add(hn::Div(moved, r), hn::Set(numbers, 0.5)));
+    return hn::DemoteTo(indices, cell);
+  };
+  std::size_t i = 0;
+  for (; i + hn::Lanes(numbers) <= num_points; i += hn::Lanes(numbers)) {
+    hn::Vec<decltype(numbers)> x;
+    hn::Vec<decltype(numbers)> y;
+    hn::LoadInterleaved2(numbers, points[i].data(), x, y);
+    hn::StoreInterleaved2(coordinate(0, x, y), coordinate(1, x, y), indices, &cells[i].x);
+  }
+  for (; i < num_points; ++i) cells[i] = CellOf(rotation * points[i] + translation, resolution);
+}
+
+}  // namespace loopscope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 namespace loopscope {
+
+HWY_EXPORT(CellsOfMovedHere);
 
 double AngularStep(const PointCloud& points_in_scan, double resolution) {
   // A scan all of whose points are within a few cells has no use for larger steps.
@@ -37,13 +83,12 @@ Pose2 PoseInWindow(const SearchWindow& window, CellIndex offset, int angle_index
 std::vector<CellIndex> CellsAtAngle(const SearchWindow& window, const PointCloud& points_in_scan,
                                     int angle_index) {
   const Pose2 submap_from_scan = PoseInWindow(window, {0, 0}, angle_index);
-  const Eigen::Matrix2d rotation = submap_from_scan.RotationMatrix();
-  std::vector<CellIndex> cells;
-  cells.reserve(points_in_scan.size());
-  for (const Eigen::Vector2d& point : points_in_scan) {
-    cells.push_back(CellOf(rotation * point + submap_from_scan.translation, window.resolution));
-  }
+  std::vector<CellIndex> cells(points_in_scan.size());
+  HWY_DYNAMIC_DISPATCH(CellsOfMovedHere)
+  (points_in_scan.data(), points_in_scan.size(), submap_from_scan.RotationMatrix(),
+   submap_from_scan.translation, window.resolution, cells.data());
   return cells;
 }
 
 }  // namespace loopscope
+#endif

@@ -117,6 +117,12 @@ Rows LocalSlamRows(LocalSlamOptions* o) {
   rows.push_back({"odometry_direction_memory", &o->odometry_direction_memory, 0, 1e6, "m",
                   "Way over which it is learned to which side of the scanner odometry moves; 0: "
                   "not."});
+  rows.push_back({"steady_pace_memory", &o->steady_pace_memory, 0, kMaxCount, "",
+                  "Scans over which it is learned whether stamps tell how far a robot without "
+                  "odometry went; 0: they do."});
+  rows.push_back({"unmeasured_prior_scale", &o->unmeasured_prior_scale, 1, 100, "",
+                  "Without odometry, the windows of local matching are larger, and its weights on "
+                  "leaving the prediction smaller, by this factor."});
   rows.push_back({"use_online_correlative_scan_matching", &o->use_online_correlative_scan_matching,
                   0, 0, "", "Whether the correlative matcher runs before (CS)."});
   Append("real_time_correlative_scan_matcher.",

@@ -11,6 +11,8 @@ Options LoopscopePreset() {
   LocalSlamOptions& local = options.trajectory_builder_2d;
   local.min_num_matched_points = 30;
   local.odometry_direction_memory = 100.0;
+  local.steady_pace_memory = 50;
+  local.unmeasured_prior_scale = 3.0;
   local.use_online_correlative_scan_matching = true;
   local.real_time_correlative_scan_matcher.angular_search_window = DegreesToRadians(10.0);
   // In a corridor the scan fits everywhere: stay where odometry says.

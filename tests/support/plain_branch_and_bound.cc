@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <utility>
 
 #include "core/matching/search_lattice.h"
 
@@ -34,7 +35,11 @@ class PlainSearch {
               const PointCloud& points, double min_score)
       : grids_(grids), window_(window), best_score_(min_score) {
     for (int angle = -window.num_angular_steps; angle <= window.num_angular_steps; ++angle) {
-      cells_at_angle_.push_back(CellsAtAngle(window, points, angle));
+      std::vector<CellIndex> cells;
+      for (const Eigen::Vector2d& point : points) {
+        cells.push_back(CellOf(PoseInWindow(window, {0, 0}, angle) * point, window.resolution));
+      }
+      cells_at_angle_.push_back(std::move(cells));
     }
   }
 

@@ -12,30 +12,31 @@ namespace {
 constexpr std::nullopt_t kNoOdometry = std::nullopt;
 
 const OdometryDirection kStraight(0.0);
+const SteadyPace kByStamps(0);
 
 const Pose2 kStart(1.0, 2.0, 0.3);
 const Pose2 kSecondMotion(0.5, 0.1, 0.2);  // the motion of a second, in the frame of the robot
 
 /// Knows the robot at times 10 s and 11 s.
 PoseExtrapolator MovingExtrapolator() {
-  PoseExtrapolator extrapolator(kStraight);
+  PoseExtrapolator extrapolator(kStraight, kByStamps);
   extrapolator.AddPose(10.0, kStart, kNoOdometry);
   extrapolator.AddPose(11.0, kStart * kSecondMotion, kNoOdometry);
   return extrapolator;
 }
 
 TEST(PoseExtrapolator, BeginsAtTheIdentity) {
-  EXPECT_EQ(PoseExtrapolator(kStraight).Predict(5.0, Pose2(3.0, 2.0, 1.0)), Pose2());
+  EXPECT_EQ(PoseExtrapolator(kStraight, kByStamps).Predict(5.0, Pose2(3.0, 2.0, 1.0)), Pose2());
 }
 
 TEST(PoseExtrapolator, StaysWhenItKnowsOnlyOnePose) {
-  PoseExtrapolator extrapolator(kStraight);
+  PoseExtrapolator extrapolator(kStraight, kByStamps);
   extrapolator.AddPose(10.0, kStart, kNoOdometry);
   EXPECT_EQ(extrapolator.Predict(11.0, kNoOdometry), kStart);
 }
 
 TEST(PoseExtrapolator, AddsTheMotionThatOdometryMeasured) {
-  PoseExtrapolator extrapolator(kStraight);
+  PoseExtrapolator extrapolator(kStraight, kByStamps);
   const Pose2 odom_from_base(-4.0, 1.0, 2.5);
   extrapolator.AddPose(10.0, kStart, odom_from_base);
   EXPECT_THAT(extrapolator.Predict(11.0, odom_from_base * kSecondMotion),
@@ -43,7 +44,7 @@ TEST(PoseExtrapolator, AddsTheMotionThatOdometryMeasured) {
 }
 
 TEST(PoseExtrapolator, BelievesOdometryWhateverTheStampsSay) {
-  PoseExtrapolator extrapolator(kStraight);
+  PoseExtrapolator extrapolator(kStraight, kByStamps);
   const Pose2 odom_from_base(9.0, 9.0, 1.0);
   extrapolator.AddPose(10.0, Pose2(), Pose2());
   extrapolator.AddPose(11.0, kStart, odom_from_base);
@@ -66,6 +67,16 @@ TEST(PoseExtrapolator, KeepsTheVelocityWhereOdometryBeginsOrEnds) {
   extrapolator.AddPose(12.0, kept, Pose2(7.0, 7.0, 1.0));
   EXPECT_THAT(extrapolator.Predict(13.0, kNoOdometry),
               PoseNear(kept * kSecondMotion, 1e-12, 1e-12));
+}
+
+TEST(PoseExtrapolator, GoesOnFromScanToScanWhereStampsJitter) {
+  PoseExtrapolator extrapolator(kStraight, SteadyPace(50));
+  Pose2 local_from_base;
+  for (const double time : {0.0, 0.1, 1.0, 1.0, 2.1, 2.2}) {
+    extrapolator.AddPose(time, local_from_base, kNoOdometry);
+    local_from_base = local_from_base * kSecondMotion;
+  }
+  EXPECT_THAT(extrapolator.Predict(2.21, kNoOdometry), PoseNear(local_from_base, 1e-12, 1e-12));
 }
 
 TEST(PoseExtrapolator, DoesNotStretchTheMotionOverAPause) {

@@ -43,6 +43,16 @@ TEST_F(ScanMatching, StartsFromWhatTheCorrelativeMatcherFindsIfThatIsOn) {
   EXPECT_THAT(match.submap_from_base, PoseNear(kTruth, 0.13, 0.01));
 }
 
+TEST_F(ScanMatching, LooksFurtherFromAPriorThatNobodyMeasured) {
+  options_.use_online_correlative_scan_matching = true;
+  const Pose2 prior = kTruth * Pose2(0.3, -0.2, 0.1);
+  options_.unmeasured_prior_scale = 4.0;
+  EXPECT_THAT(Match(prior, 0.0, true).submap_from_base, Not(PoseNear(kTruth, 0.15, 0.02)));
+  EXPECT_THAT(Match(prior, 0.0, false).submap_from_base, PoseNear(kTruth, 0.08, 0.02));
+  options_.unmeasured_prior_scale = 1.0;
+  EXPECT_THAT(Match(prior, 0.0, false).submap_from_base, Not(PoseNear(kTruth, 0.15, 0.02)));
+}
+
 TEST_F(ScanMatching, SearchesWidelyForAScanThatMatchesWorseThanExpected) {
   options_.recovery.min_relative_score = 0.6;
   const ScanMatch match = Match(kWrongPrior, 0.9);
