@@ -3,9 +3,7 @@
 #include "core/grid/ray_cast.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <utility>
 
 namespace loopscope {
 namespace {
@@ -15,10 +13,13 @@ class Marks {
  public:
   explicit Marks(const CellBox& box) : box_(box), marked_(box.num_cells(), 0) {}
 
-  /// Whether `cell` was not marked before.
-  bool Mark(CellIndex cell) {
-    std::uint8_t& mark = marked_[box_.FlatIndex(cell)];
-    return std::exchange(mark, 1) == 0;
+  /// Marks the cells `left` to `right` of a row, and adds those that were not marked before.
+  void MarkRun(int row, int left, int right, std::vector<CellIndex>* added) {
+    std::uint8_t* mark = marked_.data() + box_.FlatIndex({left, row});
+    for (int x = left; x <= right; ++x, ++mark) {
+      if (*mark == 0) added->push_back({x, row});
+      *mark = 1;
+    }
   }
 
  private:
@@ -31,21 +32,19 @@ Eigen::Vector2d ToPixelFrame(const Eigen::Vector2d& point, double resolution) {
   return point / resolution + Eigen::Vector2d(0.5, 0.5);
 }
 
-/// Calls `visit` for every cell that the segment from `a` to `b` (pixel frame) crosses, row by row:
-/// within a row these are all the cells between the places where the segment enters and leaves it.
+/// Calls `visit(row, left, right)` for the cells that the segment from `a` to `b` (pixel frame)
+/// crosses: within a row these are all between the places where the segment enters and leaves it.
 template <typename Visitor>
-void ForEachCrossedCell(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Visitor& visit) {
+void ForEachCrossedRow(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Visitor& visit) {
   const Eigen::Vector2d& low = a.y() <= b.y() ? a : b;
   const Eigen::Vector2d& high = a.y() <= b.y() ? b : a;
-  const int first_row = static_cast<int>(std::floor(low.y()));
-  const int last_row = static_cast<int>(std::floor(high.y()));
+  const int first_row = FloorToInt(low.y());
+  const int last_row = FloorToInt(high.y());
   const double slope = last_row > first_row ? (high.x() - low.x()) / (high.y() - low.y()) : 0.0;
   double enter_x = low.x();
   for (int row = first_row; row <= last_row; ++row) {
     const double leave_x = row == last_row ? high.x() : low.x() + slope * (row + 1 - low.y());
-    const int left = static_cast<int>(std::floor(std::min(enter_x, leave_x)));
-    const int right = static_cast<int>(std::floor(std::max(enter_x, leave_x)));
-    for (int x = left; x <= right; ++x) visit(CellIndex{x, row});
+    visit(row, FloorToInt(std::min(enter_x, leave_x)), FloorToInt(std::max(enter_x, leave_x)));
     enter_x = leave_x;
   }
 }
@@ -66,12 +65,12 @@ ScanCells CastRays(const RangeData& data, double resolution) {
   Marks marks(BoxOfRays(data, resolution));
   for (const Eigen::Vector2d& point : data.returns) {
     const CellIndex cell = CellOf(point, resolution);
-    if (marks.Mark(cell)) cells.hits.push_back(cell);
+    marks.MarkRun(cell.y, cell.x, cell.x, &cells.hits);
   }
   const Eigen::Vector2d origin = ToPixelFrame(data.origin, resolution);
   const auto cast_to = [&](const Eigen::Vector2d& end) {
-    ForEachCrossedCell(origin, ToPixelFrame(end, resolution), [&](CellIndex cell) {
-      if (marks.Mark(cell)) cells.misses.push_back(cell);
+    ForEachCrossedRow(origin, ToPixelFrame(end, resolution), [&](int row, int left, int right) {
+      marks.MarkRun(row, left, right, &cells.misses);
     });
   };
   std::for_each(data.returns.begin(), data.returns.end(), cast_to);
