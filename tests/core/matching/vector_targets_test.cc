@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include "core/matching/block_sums.h"
+#include "core/matching/precomputed_grids.h"
+#include "core/matching/search_lattice.h"
+#include "tests/support/random_world.h"
+
+namespace loopscope {
+namespace {
+
+/// The sets of instructions that the inner loops were compiled for and this processor has.
+std::vector<std::int64_t> Targets() {
+  std::vector<std::int64_t> targets;
+  std::int64_t rest = hwy::SupportedTargets() & HWY_TARGETS;
+  for (; rest != 0; rest &= rest - 1) targets.push_back(rest & -rest);
+  return targets;
+}
+
+/// What the inner loops compute, with all numbers in a row.
+std::vector<std::int64_t> Compute(std::uint64_t seed) {
+  Random random(seed);
+  const RandomWorld world = MakeRandomWorld(&random);
+  const SearchWindow window =
+      MakeSearchWindow(world.points_in_scan, world.submap_from_scan, 0.3, 0.2, 0.05);
+  const PrecomputedGrids grids(world.grid, 4);
+  std::vector<std::int64_t> numbers;
+  for (int angle = -3; angle <= 3; ++angle) {
+    const std::vector<CellIndex> cells = CellsAtAngle(window, world.points_in_scan, angle);
+    for (const CellIndex cell : cells) numbers.insert(numbers.end(), {cell.x, cell.y});
+    for (const std::uint32_t sum : SumShifted(world.grid, cells, 3)) numbers.push_back(sum);
+    for (const int height : {0, 3}) {
+      const BlockSums sums = SumBlocks(grids.at_height(height), cells, {-5, -6});
+      numbers.insert(numbers.end(), sums.begin(), sums.end());
+    }
+  }
+  return numbers;
+}
+
+TEST(VectorTargets, AllComputeTheSame) {
+  const std::vector<std::int64_t> targets = Targets();
+  ASSERT_FALSE(targets.empty());
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const std::vector<std::int64_t> usual = Compute(seed);
+    for (const std::int64_t target : targets) {
+      SCOPED_TRACE(hwy::TargetName(target));
+      hwy::GetChosenTarget().Update(target);
+      EXPECT_EQ(Compute(seed), usual);
+    }
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  }
+}
+
+}  // namespace
+}  // namespace loopscope
