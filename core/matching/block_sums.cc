@@ -57,14 +57,15 @@ class RowSums {
 };
 #endif
 
-void SumSomeBlocks(const PrecomputedGrid& grid, const CellIndex* cells, std::size_t num_cells,
-                   CellIndex offset, BlockSums* totals) {
-  RowSums sums[kBlocksPerSide];
+template <int kNumRows>
+void SumSomeRows(const PrecomputedGrid& grid, const CellIndex* cells, std::size_t num_cells,
+                 CellIndex offset, BlockSums* totals) {
+  RowSums sums[kNumRows];
   const int height = grid.height();
   const int stride = grid.stride();
   const std::ptrdiff_t row_step = static_cast<std::ptrdiff_t>(stride) * grid.row_length();
   const CellIndex origin{offset.x - grid.box().min.x, offset.y - grid.box().min.y};
-  const int last_whole = grid.box().height - (kBlocksPerSide - 1) * stride;
+  const int last_whole = grid.box().height - (kNumRows - 1) * stride;
   for (std::size_t i = 0; i < num_cells; ++i) {
     const int x = cells[i].x + origin.x;
     const int y = cells[i].y + origin.y;
@@ -74,26 +75,29 @@ void SumSomeBlocks(const PrecomputedGrid& grid, const CellIndex* cells, std::siz
     if (y >= 0 && y < last_whole) {
       const std::uint8_t* entries = grid.row(y) + place;
 #pragma GCC unroll 8  // keeps the sums in registers
-      for (int j = 0; j < kBlocksPerSide; ++j) {
+      for (int j = 0; j < kNumRows; ++j) {
         sums[j].Add(entries);
         entries += row_step;
       }
       continue;
     }
 #pragma GCC unroll 8
-    for (int j = 0; j < kBlocksPerSide; ++j) {
+    for (int j = 0; j < kNumRows; ++j) {
       const int row = y + j * stride;
       if (row >= 0 && row < grid.box().height) sums[j].Add(grid.row(row) + place);
     }
   }
 #pragma GCC unroll 8
-  for (int j = 0; j < kBlocksPerSide; ++j) sums[j].AddTo(totals->data() + j * kBlocksPerSide);
+  for (int j = 0; j < kNumRows; ++j) sums[j].AddTo(totals->data() + j * kBlocksPerSide);
 }
 
 void SumBlocksHere(const PrecomputedGrid& grid, const CellIndex* cells, std::size_t num_cells,
-                   CellIndex offset, BlockSums* totals) {
+                   CellIndex offset, int num_rows, BlockSums* totals) {
+  static constexpr decltype(&SumSomeRows<1>) kSumRows[kBlocksPerSide] = {
+      SumSomeRows<1>, SumSomeRows<2>, SumSomeRows<3>, SumSomeRows<4>,
+      SumSomeRows<5>, SumSomeRows<6>, SumSomeRows<7>, SumSomeRows<8>};
   for (std::size_t i = 0; i < num_cells; i += kMaxSummands) {
-    SumSomeBlocks(grid, cells + i, std::min(kMaxSummands, num_cells - i), offset, totals);
+    kSumRows[num_rows - 1](grid, cells + i, std::min(kMaxSummands, num_cells - i), offset, totals);
   }
 }
 
@@ -148,9 +152,10 @@ HWY_EXPORT(SumRowsHere);
 HWY_EXPORT(MaximaOfShiftedHere);
 
 BlockSums SumBlocks(const PrecomputedGrid& grid, const std::vector<CellIndex>& cells,
-                    CellIndex offset) {
+                    CellIndex offset, int num_rows) {
   BlockSums totals{};
-  HWY_DYNAMIC_DISPATCH(SumBlocksHere)(grid, cells.data(), cells.size(), offset, &totals);
+  HWY_DYNAMIC_DISPATCH(SumBlocksHere)
+  (grid, cells.data(), cells.size(), offset, num_rows, &totals);
   return totals;
 }
 

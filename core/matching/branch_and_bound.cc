@@ -153,11 +153,12 @@ class Search {
   /// for a trace, those that do not beat the best score are left out.
   void ScoreSquare(CellIndex first, CellIndex last, int angle_index, int height, int parent,
                    std::vector<Block>* blocks) {
-    const BlockSums sums = SumBlocks(
-        grids_.at_height(height), cells_at_angle_[angle_index + window_.num_angular_steps], first);
-    for (int j = 0; j < kBlocksPerSide; ++j) {
+    const int num_rows = std::min(kBlocksPerSide, ((last.y - first.y) >> height) + 1);
+    const BlockSums sums =
+        SumBlocks(grids_.at_height(height),
+                  cells_at_angle_[angle_index + window_.num_angular_steps], first, num_rows);
+    for (int j = 0; j < num_rows; ++j) {
       const int y = first.y + (j << height);
-      if (y > last.y) break;
       for (int i = 0; i < kBlocksPerSide; ++i) {
         const int x = first.x + (i << height);
         if (x > last.x) break;
