@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/session/table_filter.h"
 
+#include <ostream>
 #include <stdexcept>
 
 #include <gmock/gmock.h>
@@ -125,6 +126,8 @@ struct BadFilter {
   const char* text;
   const char* error;  ///< behind "filter, position "
 };
+
+void PrintTo(const BadFilter& filter, std::ostream* stream) { *stream << filter.text; }
 
 class BadFilterTest : public testing::TestWithParam<BadFilter> {};
 

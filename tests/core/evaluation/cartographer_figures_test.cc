@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdlib>
 #include <filesystem>
+#include <ostream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -22,6 +23,10 @@ struct Figures {
   double rotation;               ///< mean [deg], likewise
   double rotation_precision;     ///< [deg]
 };
+
+void PrintTo(const Figures& figures, std::ostream* stream) {
+  *stream << figures.log << ", " << figures.options;
+}
 
 class CartographerFigures : public testing::TestWithParam<Figures> {};
 
