@@ -12,6 +12,7 @@
 #include "core/io/carmen_log.h"
 #include "core/io/file_error.h"
 #include "core/simulation/simulate.h"
+#include "tests/support/temporary_folder.h"
 
 namespace loopscope {
 namespace {
@@ -89,8 +90,9 @@ TEST_P(WriteCarmenLogOf, IsReadBackAsItWas) {
   options.lidar.beams = GetParam();
   options.lidar.max_range = 15.0;
   const ScanLog log = Simulate(MakeWorld("loop"), options).log;
+  const TemporaryFolder folder;
   for (const char* name : {"round_trip.log", "round_trip.log.gz"}) {
-    const std::string path = ::testing::TempDir() + "/" + name;
+    const std::string path = folder.Path(name);
     WriteCarmenLog(path, log);
     ExpectSameLog(log, ReadCarmenLog(path));
   }
@@ -99,8 +101,9 @@ TEST_P(WriteCarmenLogOf, IsReadBackAsItWas) {
 TEST(WriteCarmenLog, PacksIfTheNameEndsInGz) {
   const ScanLog log = SmallLog({181, DegreesToRadians(-90.0), DegreesToRadians(1.0)},
                                std::vector<float>(181, 1.5f));
-  const std::string plain = ::testing::TempDir() + "/plain.log";
-  const std::string packed = ::testing::TempDir() + "/packed.log.gz";
+  const TemporaryFolder folder;
+  const std::string plain = folder.Path("plain.log");
+  const std::string packed = folder.Path("packed.log.gz");
   WriteCarmenLog(plain, log);
   WriteCarmenLog(packed, log);
   EXPECT_EQ(std::filesystem::file_size(plain), CarmenText(log).size());
