@@ -35,13 +35,12 @@ double PoseExtrapolator::StretchUntil(double time) const {
 
 void PoseExtrapolator::AddPose(double time, const Pose2& local_from_base,
                                const std::optional<Pose2>& odom_from_base) {
-  if (last_ && last_->odom_from_base && odom_from_base) {
-    direction_.Learn(last_->odom_from_base->Inverse() * *odom_from_base,
-                     last_->local_from_base.Inverse() * local_from_base);
-  }
-  if (before_last_) {
-    pace_.Learn(LastMotion(), StretchUntil(time),
-                last_->local_from_base.Inverse() * local_from_base);
+  if (last_) {
+    const Pose2 motion = last_->local_from_base.Inverse() * local_from_base;
+    if (last_->odom_from_base && odom_from_base) {
+      direction_.Learn(last_->odom_from_base->Inverse() * *odom_from_base, motion);
+    }
+    if (before_last_) pace_.Learn(LastMotion(), StretchUntil(time), motion);
   }
   before_last_ = last_;
   last_ = Known{time, local_from_base, odom_from_base};

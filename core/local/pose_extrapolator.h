@@ -17,8 +17,8 @@ class PoseExtrapolator {
       : direction_(direction), pace_(pace) {}
 
   /// The pose at `time` [s]: the motion that odometry measured since the last pose, if it was known
-  /// there and is now; else the velocity between the last two poses, kept. The identity before any
-  /// pose is known.
+  /// there and is now; else the motion between the last two poses, kept up as SteadyPace has it.
+  /// The identity before any pose is known.
   Pose2 Predict(double time, const std::optional<Pose2>& odom_from_base) const;
 
   /// Tells where the scan at `time` was matched.
@@ -31,8 +31,9 @@ class PoseExtrapolator {
     Pose2 local_from_base;
     std::optional<Pose2> odom_from_base;
   };
-  /// Between the two last poses, in proportion to the time between them.
+  /// The time from the last pose to `time`, in times of that between the last two.
   double StretchUntil(double time) const;
+  /// Between the last two poses.
   Pose2 LastMotion() const;
 
   std::optional<Known> last_;

@@ -17,8 +17,8 @@ struct ScanMatch {
   double score = 0.0;      ///< mean probability at the points there
 };
 
-/// Local scan matching: the correlative matcher, if it is switched on, then (CS); within
-/// unmeasured_prior_scale if the prior was not measured (by odometry). If the scan
+/// Local scan matching: the correlative matcher, if it is switched on, then (CS). Around a prior
+/// that was not measured (by odometry) both look further, see unmeasured_prior_scale. If the scan
 /// matches badly there, measured by the `expected_score`, it is searched for in a wide window
 /// around the prior; if it is not found there either, and its points in known cells match badly
 /// too, it stays at the prior if that was measured, else at the bad match.

@@ -35,9 +35,11 @@ class PlainSearch {
               const PointCloud& points, double min_score)
       : grids_(grids), window_(window), best_score_(min_score) {
     for (int angle = -window.num_angular_steps; angle <= window.num_angular_steps; ++angle) {
+      const Pose2 submap_from_scan = PoseInWindow(window, {0, 0}, angle);
+      const Eigen::Matrix2d rotation = submap_from_scan.RotationMatrix();
       std::vector<CellIndex> cells;
       for (const Eigen::Vector2d& point : points) {
-        cells.push_back(CellOf(PoseInWindow(window, {0, 0}, angle) * point, window.resolution));
+        cells.push_back(CellOf(rotation * point + submap_from_scan.translation, window.resolution));
       }
       cells_at_angle_.push_back(std::move(cells));
     }

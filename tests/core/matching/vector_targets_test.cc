@@ -32,8 +32,10 @@ std::vector<std::int64_t> Compute(std::uint64_t seed) {
     for (const CellIndex cell : cells) numbers.insert(numbers.end(), {cell.x, cell.y});
     for (const std::uint32_t sum : SumShifted(world.grid, cells, 3)) numbers.push_back(sum);
     for (const int height : {0, 3}) {
-      const BlockSums sums = SumBlocks(grids.at_height(height), cells, {-5, -6});
-      numbers.insert(numbers.end(), sums.begin(), sums.end());
+      for (const int num_rows : {3, kBlocksPerSide}) {
+        const BlockSums sums = SumBlocks(grids.at_height(height), cells, {-5, -6}, num_rows);
+        numbers.insert(numbers.end(), sums.begin(), sums.end());
+      }
     }
   }
   return numbers;
