@@ -115,7 +115,8 @@ int RunEvaluate(const EvaluateArguments& arguments) {
 constexpr char kColumns[] =
     "Columns: relat., [deg]: mean errors of the relations. ATE, RPE: root mean squares. loops: "
     "INTER\n"
-    "constraints; held: those that the optimization weighs 0.5 or more (Huber). self: loops "
+    "constraints; held: those that the final optimization does not leave out as outliers. self: "
+    "loops "
     "within\n"
     "20 cm and 1 deg of the optimized poses. true: of those held, within --loop-tolerance of the\n"
     "reference. recall: of the pairs of submaps that the reference puts closer than 3 m, and that "

@@ -50,9 +50,11 @@ void PrintSummary(const Recording& recording, const std::string& output, double 
   fmt::print("{}: {} of {} scans, {} nodes, {} submaps\n", output, num_steps, scans.size(),
              recording.nodes().size(), recording.submaps().size());
   fmt::print(
-      "loops: {} closed, {} inconsistent, {} ambiguous, {} below the score, {} not sampled\n",
+      "loops: {} closed, {} inconsistent, {} ambiguous, {} from behind, {} below the score, {} not "
+      "sampled\n",
       num_with(Verdict::kAccepted), num_with(Verdict::kInconsistent), num_with(Verdict::kAmbiguous),
-      num_with(Verdict::kBelowMinScore), num_with(Verdict::kNotSampled));
+      num_with(Verdict::kFromBehind), num_with(Verdict::kBelowMinScore),
+      num_with(Verdict::kNotSampled));
   fmt::print("{:.1f} s for {:.0f} s of log: {:.0f} times real time, {:.0f} scans/s\n", seconds,
              log_seconds, log_seconds / seconds, num_steps / seconds);
 }

@@ -154,6 +154,8 @@ std::string ReasonOf(Verdict verdict) {
       return "nothing in the window matches well enough";
     case Verdict::kAmbiguous:
       return "the scan fits at another place nearly as well";
+    case Verdict::kFromBehind:
+      return "it lies on walls that the submap knows from the other side only";
     case Verdict::kInconsistent:
       return "too few loops of other nodes say the same";
     case Verdict::kAccepted:

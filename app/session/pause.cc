@@ -54,8 +54,8 @@ std::optional<Event> ShouldPause(const Recording& recording, int step,
   if (conditions.on_loop && !closed.empty()) {
     return Event{step, Event::Kind::kLoopClosed, closed.front()};
   }
-  const std::vector<int> refused =
-      AppliedAtStep(recording, step, {Verdict::kAmbiguous, Verdict::kInconsistent});
+  const std::vector<int> refused = AppliedAtStep(
+      recording, step, {Verdict::kAmbiguous, Verdict::kFromBehind, Verdict::kInconsistent});
   if (conditions.on_rejection && !refused.empty()) {
     return Event{step, Event::Kind::kLoopRefused, refused.front()};
   }

@@ -16,6 +16,7 @@ std::optional<Event::Kind> KindOf(Verdict verdict) {
     case Verdict::kBelowMinScore:
       return Event::Kind::kLoopBelowScore;
     case Verdict::kAmbiguous:
+    case Verdict::kFromBehind:
     case Verdict::kInconsistent:
       return Event::Kind::kLoopRefused;
     case Verdict::kAccepted:

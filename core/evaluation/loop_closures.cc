@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/graph/loop_search.h"
+#include "core/graph/outliers.h"
 #include "core/graph/spa_cost.h"
 #include "core/slam/derive.h"
 #include "core/slam/loop_explanation.h"
@@ -16,6 +17,7 @@ namespace {
 
 /// What the optimization makes of a loop with this residual [m, m, rad].
 double WeightOf(const Eigen::Vector3d& residual, const PoseGraphOptions& options) {
+  if (IsOutlier(residual, options.optimization_problem.outliers)) return 0.0;
   const Constraint constraint = ToConstraint(LoopCandidate(), options.constraint_builder);
   const Eigen::Vector3d weights(constraint.translation_weight, constraint.translation_weight,
                                 constraint.rotation_weight);
@@ -81,8 +83,10 @@ std::vector<JudgedLoop> JudgeLoops(const Recording& recording, const MapState& s
     const LoopCandidate& candidate = recording.candidates()[i];
     if (candidate.verdict != Verdict::kAccepted) continue;
     const Eigen::Vector3d residual = LoopResidual(state, candidate);
-    loops.push_back({candidate.submap, candidate.node, residual,
-                     WeightOf(residual, recording.options().pose_graph),
+    const OutlierOptions& outliers = recording.options().pose_graph.optimization_problem.outliers;
+    const double weight = WeightOf(residual, recording.options().pose_graph);
+    loops.push_back({candidate.submap, candidate.node, residual, weight,
+                     outliers.max_distance > 0.0 ? weight == 0.0 : weight < 0.5,
                      ErrorOf(recording, candidate, reference)});
   }
   return loops;

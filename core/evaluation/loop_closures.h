@@ -37,14 +37,16 @@ struct JudgedLoop {
   NodeId node;
   Eigen::Vector3d residual;  ///< of eq. 5, in the poses of the state [m, m, rad]
   /// rho'(|r|^2) of Huber's loss at the weighted residual r, in (0, 1]: how hard the loop still
-  /// pulls compared with what it would without the loss.
+  /// pulls compared with what it would without the loss; 0 if it is an outlier.
   double weight = 1.0;
+  /// Left out of the final optimization, see OutlierOptions; where these are off, of a weight of
+  /// less than 0.5.
+  bool is_outlier = false;
   /// Expected^-1 * measured, of the node seen from that node of the submap which the measurement
   /// puts it nearest to. Nothing if the reference does not cover both.
   std::optional<Pose2> error;
 
-  /// The optimization has not weighed it out as an outlier.
-  bool IsInForce() const { return weight >= 0.5; }
+  bool IsInForce() const { return !is_outlier; }
 };
 
 bool IsWithin(const Pose2& error, const LoopTolerance& tolerance);

@@ -15,6 +15,7 @@ enum class Verdict {
   kAmbiguous,      ///< another place in the window matches nearly as well
   kInconsistent,   ///< too few other loops agree with it
   kAccepted,       ///< INTER_SUBMAP constraint
+  kFromBehind,     ///< it lies on walls that the submap knows from the other side only
 };
 
 /// A pair of a node and a finished submap that came up for a loop search. Of one that was not
@@ -25,6 +26,7 @@ struct LoopCandidate {
   int considered_step = 0;    ///< the scan after which it came up
   int applied_step = 0;       ///< the scan after which the result entered the graph
   bool whole_submap = false;  ///< searched everywhere in the submap instead of in the window
+  bool last_look = false;     ///< searched after the final optimization, see LastLookOptions
   double linear_search_window = 0.0;   ///< W_x = W_y [m]
   double angular_search_window = 0.0;  ///< W_theta [rad]
   Pose2 submap_from_node_guess;        ///< from the poses then

@@ -23,7 +23,31 @@ double RivalScore(const LoopCandidate& found, const PointCloud& points_in_node,
   return rival ? rival->score : 0.0;
 }
 
+bool IsFromBehind(const LoopCandidate& found, const RangeData& scan_in_node,
+                  const ProbabilityGrid& grid, const WallSidesOptions& options) {
+  return options.max_share_from_behind < 1.0 &&
+         ShareFromBehind(scan_in_node, found.submap_from_node, grid) >
+             options.max_share_from_behind;
+}
+
+Verdict VerdictOnWinner(const LoopCandidate& found, const RangeData& scan_in_node,
+                        const ProbabilityGrid& grid, const ConstraintBuilderOptions& options) {
+  const LoopAmbiguityOptions& ambiguity = options.ambiguity;
+  if (found.rival_score > 0.0) return Verdict::kAmbiguous;
+  if (ambiguity.refuse_at_border && IsAtBorder(found, grid.resolution()))
+    return Verdict::kAmbiguous;
+  if (IsFromBehind(found, scan_in_node, grid, options.wall_sides)) return Verdict::kFromBehind;
+  return Verdict::kAccepted;
+}
+
 }  // namespace
+
+bool IsAtBorder(const LoopCandidate& found, double resolution) {
+  if (found.whole_submap) return false;
+  const Eigen::Vector2d moved =
+      found.submap_from_node_searched.translation - found.submap_from_node_guess.translation;
+  return moved.cwiseAbs().maxCoeff() > found.linear_search_window - resolution;
+}
 
 struct LoopSearch::SearchedSubmap {
   ProbabilityGrid grid;
@@ -31,9 +55,10 @@ struct LoopSearch::SearchedSubmap {
   int num_sampled = 0;
 };
 
-LoopCandidate SearchLoop(const LoopCandidate& candidate, const PointCloud& points_in_node,
+LoopCandidate SearchLoop(const LoopCandidate& candidate, const RangeData& scan_in_node,
                          const ProbabilityGrid& grid, const BranchAndBoundMatcher& matcher,
                          const ConstraintBuilderOptions& options, SearchTrace* trace) {
+  const PointCloud& points_in_node = scan_in_node.returns;
   LoopCandidate result = candidate;
   const SearchOutcome outcome =
       candidate.whole_submap
@@ -48,11 +73,11 @@ LoopCandidate SearchLoop(const LoopCandidate& candidate, const PointCloud& point
   result.verdict = Verdict::kBelowMinScore;
   if (!outcome.winner) return result;
   result.rival_score = RivalScore(result, points_in_node, matcher, options.ambiguity);
-  result.verdict = result.rival_score > 0.0 ? Verdict::kAmbiguous : Verdict::kAccepted;
   result.submap_from_node =
       MatchWithCeres(points_in_node, grid, result.submap_from_node_searched.translation,
                      result.submap_from_node_searched, options.ceres_scan_matcher)
           .submap_from_scan;
+  result.verdict = VerdictOnWinner(result, scan_in_node, grid, options);
   return result;
 }
 
@@ -77,9 +102,9 @@ void LoopSearch::AddSubmap(SubmapId id, ProbabilityGrid grid) {
 }
 
 void LoopSearch::Consider(const LoopCandidate& candidate,
-                          std::shared_ptr<const PointCloud> points_in_node) {
+                          std::shared_ptr<const RangeData> scan_in_node) {
   if (Sample(candidate.linear_search_window, submaps_.at(candidate.submap).get())) {
-    SearchAlso(candidate, std::move(points_in_node));
+    SearchAlso(candidate, std::move(scan_in_node));
     return;
   }
   LoopCandidate left_out;
@@ -90,16 +115,15 @@ void LoopSearch::Consider(const LoopCandidate& candidate,
 }
 
 void LoopSearch::SearchAlso(const LoopCandidate& candidate,
-                            std::shared_ptr<const PointCloud> points_in_node) {
+                            std::shared_ptr<const RangeData> scan_in_node) {
   pending_.push_back(std::make_unique<LoopCandidate>(candidate));
-  Search(pending_.back().get(), std::move(points_in_node));
+  Search(pending_.back().get(), std::move(scan_in_node));
 }
 
-void LoopSearch::Search(LoopCandidate* candidate,
-                        std::shared_ptr<const PointCloud> points_in_node) {
+void LoopSearch::Search(LoopCandidate* candidate, std::shared_ptr<const RangeData> scan_in_node) {
   const SearchedSubmap* const submap = submaps_.at(candidate->submap).get();
-  pool_.Add([this, submap, candidate, points = std::move(points_in_node)] {
-    *candidate = SearchLoop(*candidate, *points, submap->grid,
+  pool_.Add([this, submap, candidate, scan = std::move(scan_in_node)] {
+    *candidate = SearchLoop(*candidate, *scan, submap->grid,
                             *matchers_.Get(candidate->submap, submap->grid), options_);
   });
 }

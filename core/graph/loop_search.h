@@ -16,11 +16,15 @@
 namespace loopscope {
 
 /// Searches one pair: branch and bound in the window around candidate.submap_from_node_guess (or
-/// the whole submap), and (CS) from the winner. Returns `candidate` with verdict, scores and poses
-/// set.
-LoopCandidate SearchLoop(const LoopCandidate& candidate, const PointCloud& points_in_node,
+/// the whole submap), and (CS) from the winner. Of `scan_in_node` only origin and returns count.
+/// Returns `candidate` with verdict, scores and poses set.
+LoopCandidate SearchLoop(const LoopCandidate& candidate, const RangeData& scan_in_node,
                          const ProbabilityGrid& grid, const BranchAndBoundMatcher& matcher,
                          const ConstraintBuilderOptions& options, SearchTrace* trace = nullptr);
+
+/// Whether the winner lies at the border of its window, so that one beyond could match better.
+/// `resolution` [m] is that of the search.
+bool IsAtBorder(const LoopCandidate& found, double resolution);
 
 /// The INTER_SUBMAP constraint that an accepted candidate is.
 Constraint ToConstraint(const LoopCandidate& accepted, const ConstraintBuilderOptions& options);
@@ -36,13 +40,13 @@ class LoopSearch {
   void AddSubmap(SubmapId id, ProbabilityGrid grid);
 
   /// Searches the pair of `candidate`, or leaves it if it is not its turn by sampling_ratio.
-  void Consider(const LoopCandidate& candidate, std::shared_ptr<const PointCloud> points_in_node);
+  void Consider(const LoopCandidate& candidate, std::shared_ptr<const RangeData> scan_in_node);
 
   /// Searches the pair of `candidate`, whether it is its turn or not.
-  void SearchAlso(const LoopCandidate& candidate, std::shared_ptr<const PointCloud> points_in_node);
+  void SearchAlso(const LoopCandidate& candidate, std::shared_ptr<const RangeData> scan_in_node);
 
   /// Searches the pair of `candidate` in any case. Its address must last until Wait.
-  void Search(LoopCandidate* candidate, std::shared_ptr<const PointCloud> points_in_node);
+  void Search(LoopCandidate* candidate, std::shared_ptr<const RangeData> scan_in_node);
   void Wait() { pool_.Wait(); }
 
   /// Waits for the searches; the candidates considered since the last call, by submap and node.

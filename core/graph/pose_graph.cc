@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/graph/loop_gate.h"
+#include "core/graph/outliers.h"
 
 namespace loopscope {
 
@@ -81,7 +82,7 @@ double PoseGraph::MinLoopScoreOf(SubmapId id, const ProbabilityGrid& grid) const
   std::vector<PlacedScan> own_nodes;
   for (const NodeData& node : nodes_) {
     if (!LiesIn(node, id)) continue;
-    own_nodes.push_back({node.points.get(), submap_from_local * node.local_from_node});
+    own_nodes.push_back({&node.scan->returns, submap_from_local * node.local_from_node});
   }
   return MinLoopScore(own_nodes, grid, options_.constraint_builder);
 }
@@ -93,9 +94,10 @@ bool PoseGraph::LiesIn(const NodeData& node, SubmapId submap) {
 
 void PoseGraph::Consider(SubmapId submap, NodeId node, double way, int step) {
   const NodeData& data = nodes_[node.index];
-  if (options_.optimize_every_n_nodes == 0 || data.points->empty() || LiesIn(data, submap)) return;
+  if (options_.optimize_every_n_nodes == 0 || data.scan->returns.empty() || LiesIn(data, submap))
+    return;
   const LoopCandidate candidate = CandidateOf(submap, node, way, step);
-  if (candidate.verdict != Verdict::kTooFar) loop_search_.Consider(candidate, data.points);
+  if (candidate.verdict != Verdict::kTooFar) loop_search_.Consider(candidate, data.scan);
 }
 
 LoopCandidate PoseGraph::CandidateOf(SubmapId submap, NodeId node, double way, int step) const {
@@ -124,8 +126,13 @@ std::vector<LoopCandidate> PoseGraph::CollectLoops(int step) {
   LookAgain(step);
   std::vector<LoopCandidate> candidates = loop_search_.Collect();
   CheckLoneLoops(&candidates);
-  RejectInconsistent(&candidates);
-  for (LoopCandidate& candidate : candidates) {
+  TakeIn(&candidates, step);
+  return candidates;
+}
+
+void PoseGraph::TakeIn(std::vector<LoopCandidate>* candidates, int step) {
+  RejectInconsistent(candidates);
+  for (LoopCandidate& candidate : *candidates) {
     candidate.applied_step = step;
     if (candidate.verdict != Verdict::kAccepted) continue;
     loop_drifts_.push_back(DriftOf(candidate));
@@ -136,27 +143,48 @@ std::vector<LoopCandidate> PoseGraph::CollectLoops(int step) {
       second_look_.Tie(candidate.submap, SubmapId{node.first_submap.index + i});
     }
   }
-  return candidates;
 }
 
 void PoseGraph::LookAgain(int step) {
+  if (options_.optimize_every_n_nodes == 0) return;
   std::map<SubmapId, std::vector<double>> ways;
   for (const auto& [submap, node] :
-       second_look_.Choose(FinishedPlaces(), global_from_node_, node_ways_)) {
+       second_look_.Choose(FinishedPlaces(num_looked_at_), global_from_node_, node_ways_)) {
     const NodeData& data = nodes_[node.index];
-    if (data.points->empty()) continue;
+    if (data.scan->returns.empty()) continue;
     std::vector<double>& ways_from_submap = ways[submap];
     if (ways_from_submap.empty()) ways_from_submap = travel_graph_.WaysFrom(submap);
     const LoopCandidate candidate =
         CandidateOf(submap, node, ways_from_submap[data.first_submap.index], step);
-    if (candidate.verdict != Verdict::kTooFar) loop_search_.SearchAlso(candidate, data.points);
+    if (candidate.verdict != Verdict::kTooFar) loop_search_.SearchAlso(candidate, data.scan);
   }
   num_looked_at_ = finished_submaps_.size();
 }
 
-std::vector<SubmapPlace> PoseGraph::FinishedPlaces() const {
+std::vector<LoopCandidate> PoseGraph::LookLast(int step) {
+  const ConstraintBuilderOptions& options = options_.constraint_builder;
+  const BranchAndBoundOptions& least = options.fast_correlative_scan_matcher;
+  if (options_.optimize_every_n_nodes == 0) return {};
+  for (const auto& [submap, node] :
+       second_look_.ChooseOfUntied(FinishedPlaces(finished_submaps_.size()), global_from_node_,
+                                   node_ways_, options.last_look.num_nodes)) {
+    const NodeData& data = nodes_[node.index];
+    if (data.scan->returns.empty()) continue;
+    LoopCandidate candidate = CandidateOf(submap, node, 0.0, step);
+    candidate.last_look = true;
+    candidate.linear_search_window = least.linear_search_window;
+    candidate.angular_search_window = least.angular_search_window;
+    candidate.min_score *= options.last_look.min_score_factor;
+    loop_search_.SearchAlso(candidate, data.scan);
+  }
+  std::vector<LoopCandidate> candidates = loop_search_.Collect();
+  TakeIn(&candidates, step);
+  return candidates;
+}
+
+std::vector<SubmapPlace> PoseGraph::FinishedPlaces(std::size_t num_submaps) const {
   std::vector<SubmapPlace> places;
-  for (std::size_t i = 0; i < num_looked_at_; ++i) {
+  for (std::size_t i = 0; i < num_submaps; ++i) {
     const SubmapId id = finished_submaps_[i];
     const SubmapData& data = submaps_[id.index];
     places.push_back(
@@ -208,7 +236,7 @@ void PoseGraph::SearchWhereLoopHasIt(const LoopCandidate& loop, LoopCandidate* p
   pair->linear_search_window = least.linear_search_window;
   pair->angular_search_window = least.angular_search_window;
   pair->min_score = submaps_[loop.submap.index].min_loop_score;
-  loop_search_.Search(pair, node.points);
+  loop_search_.Search(pair, node.scan);
 }
 
 void PoseGraph::RejectInconsistent(std::vector<LoopCandidate>* candidates) const {
@@ -233,14 +261,27 @@ LoopDrift PoseGraph::DriftOf(const LoopCandidate& candidate) const {
 }
 
 GraphSolution PoseGraph::Optimize(int max_num_iterations) {
+  GraphSolution solution = SolveGraph(Problem(), options_.optimization_problem, max_num_iterations);
+  Adopt(solution);
+  return solution;
+}
+
+GraphSolution PoseGraph::OptimizeWithoutOutliers(int max_num_iterations) {
   GraphSolution solution =
-      SolveGraph({global_from_submap_, global_from_node_, constraints_, consecutive_nodes_},
-                 options_.optimization_problem, max_num_iterations);
+      SolveGraphWithoutOutliers(Problem(), options_.optimization_problem, max_num_iterations);
+  Adopt(solution);
+  return solution;
+}
+
+GraphProblem PoseGraph::Problem() const {
+  return {global_from_submap_, global_from_node_, constraints_, consecutive_nodes_};
+}
+
+void PoseGraph::Adopt(const GraphSolution& solution) {
   global_from_submap_ = solution.global_from_submap;
   global_from_node_ = solution.global_from_node;
   global_from_local_ = global_from_submap_.back() * submaps_.back().local_from_submap.Inverse();
   num_nodes_since_optimization_ = 0;
-  return solution;
 }
 
 }  // namespace loopscope

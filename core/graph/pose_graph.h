@@ -24,7 +24,7 @@ class PoseGraph {
     std::optional<Pose2> odom_from_node;
     SubmapId first_submap;  ///< it was inserted into num_submaps submaps from this one on
     int num_submaps = 0;
-    std::shared_ptr<const PointCloud> points;  ///< for loop searches, in the frame of the node
+    std::shared_ptr<const RangeData> scan;  ///< for loop searches, in the frame of the node
   };
 
   /// Adds the submap that the next node begins.
@@ -47,6 +47,13 @@ class PoseGraph {
   /// Optimizes all poses, which become the estimate.
   GraphSolution Optimize(int max_num_iterations);
 
+  /// After the final optimization: searches all submaps of one place that no loop ties, and takes
+  /// the loops found into the graph. All candidates, by submap and node.
+  std::vector<LoopCandidate> LookLast(int step);
+
+  /// Likewise, for good: without loops that the others contradict, see OutlierOptions.
+  GraphSolution OptimizeWithoutOutliers(int max_num_iterations);
+
  private:
   /// Adds the way from the node before to the travel graph.
   void AddWayTo(NodeId id);
@@ -56,7 +63,11 @@ class PoseGraph {
   static bool LiesIn(const NodeData& node, SubmapId submap);
   /// Searches submaps of the same place that no loop ties.
   void LookAgain(int step);
-  std::vector<SubmapPlace> FinishedPlaces() const;
+  std::vector<SubmapPlace> FinishedPlaces(std::size_t num_submaps) const;
+  /// Judges the candidates that were searched, and takes those accepted into the graph.
+  void TakeIn(std::vector<LoopCandidate>* candidates, int step);
+  GraphProblem Problem() const;
+  void Adopt(const GraphSolution& solution);
   /// Searches neighbours of the loops that stand alone, where those have them.
   void CheckLoneLoops(std::vector<LoopCandidate>* candidates);
   void SearchWhereLoopHasIt(const LoopCandidate& loop, LoopCandidate* pair);

@@ -4,6 +4,7 @@
 
 #include "core/graph/loop_consistency.h"
 #include "core/graph/second_look.h"
+#include "core/graph/wall_sides.h"
 #include "core/matching/branch_and_bound.h"
 #include "core/matching/ceres_scan_matcher.h"
 
@@ -14,6 +15,7 @@ namespace loopscope {
 struct LoopAmbiguityOptions {
   double max_relative_score = 1.0;  ///< share of the winner's score that no rival may have; 1: off
   double min_distance = 0.5;        ///< [m] from the winner at which a place is another one
+  bool refuse_at_border = false;  ///< winners at the border of the window: one beyond may be better
 };
 
 /// POSE_GRAPH.constraint_builder.
@@ -40,10 +42,19 @@ struct ConstraintBuilderOptions {
   double loop_closure_translation_weight = 1.1e4;
   double loop_closure_rotation_weight = 1e5;
   LoopAmbiguityOptions ambiguity;
+  WallSidesOptions wall_sides;
   LoopConsistencyOptions consistency;
   SecondLookOptions second_look;
+  LastLookOptions last_look;
   BranchAndBoundOptions fast_correlative_scan_matcher;
   CeresScanMatcherOptions ceres_scan_matcher{20.0, 10.0, 1.0, 10};
+};
+
+/// POSE_GRAPH.optimization_problem.outliers, not in Cartographer: loops that the final optimization
+/// leaves with a larger residual of eq. 5 are false, and are left out of it.
+struct OutlierOptions {
+  double max_distance = 0.0;                 ///< [m]; 0: off
+  double max_angle = DegreesToRadians(3.0);  ///< [rad]
 };
 
 /// POSE_GRAPH.optimization_problem. Weights are factors of a residual in metres or radians, so
@@ -55,6 +66,7 @@ struct OptimizationProblemOptions {
   double odometry_translation_weight = 1e5;
   double odometry_rotation_weight = 1e5;
   int max_num_iterations = 50;
+  OutlierOptions outliers;
 };
 
 /// POSE_GRAPH.

@@ -5,25 +5,6 @@
 namespace loopscope {
 namespace {
 
-/// The nodes of `other` that are near the nodes of `submap`, but far from them along the way.
-std::vector<NodeId> NearNodes(const SubmapPlace& submap, const SubmapPlace& other,
-                              const std::vector<Pose2>& global_from_node,
-                              const std::vector<double>& node_ways,
-                              const SecondLookOptions& options) {
-  const double first_way = node_ways[submap.first_node.index];
-  const double last_way = node_ways[submap.first_node.index + submap.num_nodes - 1];
-  const Pose2 submap_from_global = submap.global_from_submap.Inverse();
-  std::vector<NodeId> nodes;
-  for (int i = 0; i < other.num_nodes; ++i) {
-    const NodeId node{other.first_node.index + i};
-    const double way = node_ways[node.index];
-    if (way > first_way - options.min_way && way < last_way + options.min_way) continue;
-    const Eigen::Vector2d place = submap_from_global * global_from_node[node.index].translation;
-    if (submap.node_box.exteriorDistance(place) <= options.max_distance) nodes.push_back(node);
-  }
-  return nodes;
-}
-
 Pose2 FirstFromSecond(const SubmapPlace& first, const SubmapPlace& second) {
   return first.global_from_submap.Inverse() * second.global_from_submap;
 }
@@ -37,6 +18,44 @@ std::vector<NodeId> Spread(const std::vector<NodeId>& nodes, int count) {
   return some;
 }
 
+/// Tells whether submaps show the same place, by their nodes.
+struct SamePlace {
+  const std::vector<Pose2>& global_from_node;
+  const std::vector<double>& node_ways;  ///< [m]
+  const SecondLookOptions& options;
+  int num_nodes;  ///< of one submap to search in the other, at most
+
+  /// Adds nodes of each of the two that are near to the other; whether there were any.
+  bool AddPairs(const SubmapPlace& first, const SubmapPlace& second,
+                std::vector<SecondLook::Pair>* pairs) const {
+    const std::size_t num_pairs = pairs->size();
+    for (const NodeId node : Spread(NearNodes(first, second), num_nodes)) {
+      pairs->emplace_back(first.id, node);
+    }
+    for (const NodeId node : Spread(NearNodes(second, first), num_nodes)) {
+      pairs->emplace_back(second.id, node);
+    }
+    return pairs->size() > num_pairs;
+  }
+
+ private:
+  /// The nodes of `other` that are near the nodes of `submap`, but far from them along the way.
+  std::vector<NodeId> NearNodes(const SubmapPlace& submap, const SubmapPlace& other) const {
+    const double first_way = node_ways[submap.first_node.index];
+    const double last_way = node_ways[submap.first_node.index + submap.num_nodes - 1];
+    const Pose2 submap_from_global = submap.global_from_submap.Inverse();
+    std::vector<NodeId> nodes;
+    for (int i = 0; i < other.num_nodes; ++i) {
+      const NodeId node{other.first_node.index + i};
+      const double way = node_ways[node.index];
+      if (way > first_way - options.min_way && way < last_way + options.min_way) continue;
+      const Eigen::Vector2d place = submap_from_global * global_from_node[node.index].translation;
+      if (submap.node_box.exteriorDistance(place) <= options.max_distance) nodes.push_back(node);
+    }
+    return nodes;
+  }
+};
+
 }  // namespace
 
 std::vector<SecondLook::Pair> SecondLook::Choose(const std::vector<SubmapPlace>& submaps,
@@ -44,28 +63,36 @@ std::vector<SecondLook::Pair> SecondLook::Choose(const std::vector<SubmapPlace>&
                                                  const std::vector<double>& node_ways) {
   std::vector<Pair> pairs;
   if (options_.num_nodes == 0) return pairs;
+  const SamePlace same_place{global_from_node, node_ways, options_, options_.num_nodes};
   for (std::size_t b = 0; b < submaps.size(); ++b) {
     for (std::size_t a = 0; a < b; ++a) {
       const SubmapPlace& first = submaps[a];
       const SubmapPlace& second = submaps[b];
-      if (!IsDue(first, second)) continue;
-      const auto in_first = NearNodes(first, second, global_from_node, node_ways, options_);
-      const auto in_second = NearNodes(second, first, global_from_node, node_ways, options_);
-      if (in_first.empty() && in_second.empty()) continue;
+      if (IsTied(first.id, second.id) || !HaveMoved(first, second)) continue;
+      if (!same_place.AddPairs(first, second, &pairs)) continue;
       looked_at_[{first.id, second.id}] = FirstFromSecond(first, second);
-      for (const NodeId node : Spread(in_first, options_.num_nodes)) {
-        pairs.emplace_back(first.id, node);
-      }
-      for (const NodeId node : Spread(in_second, options_.num_nodes)) {
-        pairs.emplace_back(second.id, node);
+    }
+  }
+  return pairs;
+}
+
+std::vector<SecondLook::Pair> SecondLook::ChooseOfUntied(const std::vector<SubmapPlace>& submaps,
+                                                         const std::vector<Pose2>& global_from_node,
+                                                         const std::vector<double>& node_ways,
+                                                         int num_nodes) const {
+  std::vector<Pair> pairs;
+  const SamePlace same_place{global_from_node, node_ways, options_, num_nodes};
+  for (std::size_t b = 0; b < submaps.size(); ++b) {
+    for (std::size_t a = 0; a < b; ++a) {
+      if (!IsTied(submaps[a].id, submaps[b].id)) {
+        same_place.AddPairs(submaps[a], submaps[b], &pairs);
       }
     }
   }
   return pairs;
 }
 
-bool SecondLook::IsDue(const SubmapPlace& first, const SubmapPlace& second) const {
-  if (tied_.count({first.id, second.id}) > 0) return false;
+bool SecondLook::HaveMoved(const SubmapPlace& first, const SubmapPlace& second) const {
   const auto last_look = looked_at_.find({first.id, second.id});
   if (last_look == looked_at_.end()) return true;
   const Eigen::Vector2d moved =

@@ -23,6 +23,14 @@ struct SecondLookOptions {
   double min_distance = 2.0;  ///< [m] by which optimizations moved the two since the last look
 };
 
+/// POSE_GRAPH.constraint_builder.last_look, not in Cartographer: after the final optimization all
+/// submaps of one place that no loop ties are searched once more where the map has them, in the
+/// least window. Few poses in it could match by chance, so that less has to match.
+struct LastLookOptions {
+  int num_nodes = 0;              ///< that are searched in a submap of the same place; 0: off
+  double min_score_factor = 1.0;  ///< of the score that a loop must beat otherwise
+};
+
 /// A finished submap as the pose graph has it.
 struct SubmapPlace {
   SubmapId id;
@@ -48,9 +56,15 @@ class SecondLook {
                            const std::vector<Pose2>& global_from_node,
                            const std::vector<double>& node_ways);
 
+  /// Likewise, with the pairs of all submaps that no loop ties, moved or not.
+  std::vector<Pair> ChooseOfUntied(const std::vector<SubmapPlace>& submaps,
+                                   const std::vector<Pose2>& global_from_node,
+                                   const std::vector<double>& node_ways, int num_nodes) const;
+
  private:
-  /// Whether it is worth a look: no loop ties the two, and they were moved since the last one.
-  bool IsDue(const SubmapPlace& first, const SubmapPlace& second) const;
+  bool IsTied(SubmapId first, SubmapId second) const { return tied_.count({first, second}) > 0; }
+  /// Whether optimizations moved the two since the last look.
+  bool HaveMoved(const SubmapPlace& first, const SubmapPlace& second) const;
 
   SecondLookOptions options_;
   std::set<std::pair<SubmapId, SubmapId>> tied_;

@@ -22,6 +22,7 @@ constexpr std::uint8_t kVerdictMask = 15;
 constexpr std::uint8_t kWholeSubmap = 16;
 constexpr std::uint8_t kHasSearch = 32;       ///< kNumbers, the guess, the pose found, supporters
 constexpr std::uint8_t kHasRefinedPose = 64;  ///< submap_from_node
+constexpr std::uint8_t kLastLook = 128;
 
 constexpr std::array<double LoopCandidate::*, 6> kNumbers = {&LoopCandidate::linear_search_window,
                                                              &LoopCandidate::angular_search_window,
@@ -44,10 +45,10 @@ bool HasSearch(const LoopCandidate& candidate) {
 }
 
 std::uint8_t KindOf(const LoopCandidate& candidate) {
-  return static_cast<std::uint8_t>(static_cast<int>(candidate.verdict) |
-                                   (candidate.whole_submap ? kWholeSubmap : 0) |
-                                   (HasSearch(candidate) ? kHasSearch : 0) |
-                                   (IsDefault(candidate.submap_from_node) ? 0 : kHasRefinedPose));
+  return static_cast<std::uint8_t>(
+      static_cast<int>(candidate.verdict) | (candidate.whole_submap ? kWholeSubmap : 0) |
+      (candidate.last_look ? kLastLook : 0) | (HasSearch(candidate) ? kHasSearch : 0) |
+      (IsDefault(candidate.submap_from_node) ? 0 : kHasRefinedPose));
 }
 
 /// The values of `member` in the candidates whose kind has `flag`.
@@ -102,7 +103,7 @@ Kinds GetIds(int step, Candidates* candidates, ByteReader* in) {
   LoopCandidate last;
   for (LoopCandidate& candidate : *candidates) {
     const std::uint8_t kind = in->GetByte();
-    if ((kind & kVerdictMask) > static_cast<int>(Verdict::kAccepted)) in->Fail("no such verdict");
+    if ((kind & kVerdictMask) > static_cast<int>(Verdict::kFromBehind)) in->Fail("no such verdict");
     kinds.push_back(kind);
     candidate.submap.index = GetNext(last.submap.index, in);
     candidate.node.index = GetNext(last.node.index, in);
@@ -110,6 +111,7 @@ Kinds GetIds(int step, Candidates* candidates, ByteReader* in) {
     candidate.applied_step = step;
     candidate.verdict = static_cast<Verdict>(kind & kVerdictMask);
     candidate.whole_submap = (kind & kWholeSubmap) != 0;
+    candidate.last_look = (kind & kLastLook) != 0;
     last = candidate;
   }
   return kinds;

@@ -64,12 +64,12 @@ class Hash {
     AddAll(pose, first_node, num_nodes, finished_step);
   }
   void Add(const LoopCandidate& candidate) {
-    const auto& [submap, node, considered_step, applied_step, whole_submap, linear_window,
-                 angular_window, guess, verdict, score, score_bound, min_score, rival_score,
-                 num_supporters, searched, refined] = candidate;
-    AddAll(submap, node, considered_step, applied_step, whole_submap, linear_window, angular_window,
-           guess, verdict, score, score_bound, min_score, rival_score, num_supporters, searched,
-           refined);
+    const auto& [submap, node, considered_step, applied_step, whole_submap, last_look,
+                 linear_window, angular_window, guess, verdict, score, score_bound, min_score,
+                 rival_score, num_supporters, searched, refined] = candidate;
+    AddAll(submap, node, considered_step, applied_step, whole_submap, last_look, linear_window,
+           angular_window, guess, verdict, score, score_bound, min_score, rival_score,
+           num_supporters, searched, refined);
   }
   void Add(const Optimization& optimization) {
     const auto& [step, final, submaps, nodes, num_iterations, initial_cost, final_cost] =

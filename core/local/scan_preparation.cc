@@ -13,4 +13,10 @@ RangeData PrepareRangeData(const ScanLog& log, int scan, const LocalSlamOptions&
   return data;
 }
 
+RangeData LoopScan(const RangeData& range_data, const LocalSlamOptions& options) {
+  return {range_data.origin,
+          AdaptiveVoxelFilter(range_data.returns, options.loop_closure_adaptive_voxel_filter),
+          {}};
+}
+
 }  // namespace loopscope

@@ -10,4 +10,7 @@ namespace loopscope {
 /// The readings of scan `scan` of `log` that are used, voxel filtered, in the frame of the robot.
 RangeData PrepareRangeData(const ScanLog& log, int scan, const LocalSlamOptions& options);
 
+/// What loop searches use of a scan: some of its returns, and no misses.
+RangeData LoopScan(const RangeData& range_data, const LocalSlamOptions& options);
+
 }  // namespace loopscope

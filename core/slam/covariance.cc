@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/slam/covariance.h"
 
+#include "core/graph/outliers.h"
 #include "core/slam/derive.h"
 
 namespace loopscope {
@@ -29,7 +30,11 @@ GraphProblem GraphOf(const Recording& recording, const MapState& state) {
       problem.consecutive_nodes.push_back(term);
     }
   }
-  return problem;
+  const bool is_final =
+      state.num_optimizations > 0 && recording.optimizations()[state.num_optimizations - 1].final;
+  return is_final ? WithoutOutliers(problem,
+                                    recording.options().pose_graph.optimization_problem.outliers)
+                  : problem;
 }
 
 std::optional<Eigen::Matrix3d> CovarianceOfNode(const Recording& recording, const MapState& state,

@@ -34,9 +34,8 @@ RangeData RangeDataOfStep(const Recording& recording, int step) {
   return PrepareRangeData(recording.log(), step, LocalOptions(recording));
 }
 
-PointCloud LoopPointsOfNode(const Recording& recording, NodeId node) {
-  return AdaptiveVoxelFilter(RangeDataOfStep(recording, recording.node(node).step).returns,
-                             LocalOptions(recording).loop_closure_adaptive_voxel_filter);
+RangeData LoopScanOfNode(const Recording& recording, NodeId node) {
+  return LoopScan(RangeDataOfStep(recording, recording.node(node).step), LocalOptions(recording));
 }
 
 Pose2 SubmapFromNode(const Recording& recording, SubmapId submap, NodeId node) {

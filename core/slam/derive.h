@@ -23,8 +23,8 @@ RangeData RangeDataOfStep(const Recording& recording, int step);
 /// Pose of a node in a submap as local SLAM had it.
 Pose2 SubmapFromNode(const Recording& recording, SubmapId submap, NodeId node);
 
-/// The points of a node that loop searches use, in its frame.
-PointCloud LoopPointsOfNode(const Recording& recording, NodeId node);
+/// What loop searches use of the scan of a node, in its frame.
+RangeData LoopScanOfNode(const Recording& recording, NodeId node);
 
 /// The cells that a node hit and missed, on the lattice of `submap`.
 ScanCells CellsOfNode(const Recording& recording, SubmapId submap, NodeId node);
@@ -57,7 +57,8 @@ std::optional<MatchReplay> ReplayMatch(const Recording& recording, int step);
 std::vector<double> NodeWays(const Recording& recording);
 
 /// The gate that a pair had to go through when it came up last: at the later of the node's
-/// insertion and the submap's end, which must have finished, or when it got a second look.
+/// insertion and the submap's end, which must have finished, or when it got a second look. After a
+/// last look: what that went by.
 LoopGate GateOfPair(const Recording& recording, SubmapId submap, NodeId node);
 
 /// The pair when it came up, as the mapper asked for it to be searched; the verdict is kTooFar, or
@@ -70,7 +71,7 @@ struct SearchReplay {
       candidate;  ///< as recorded; if the pair was never searched, from its poses when it came up
   bool recorded = false;  ///< whether the mapper itself searched the pair
   ProbabilityGrid grid;   ///< of the finished submap
-  PointCloud points;      ///< in the frame of the node
+  RangeData scan;         ///< in the frame of the node
   LoopCandidate result;   ///< of the replay; equals `candidate` if recorded and not overridden
   SearchTrace trace;
 };

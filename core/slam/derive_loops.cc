@@ -24,6 +24,26 @@ std::optional<LoopCandidate> SearchedCandidate(const Recording& recording, Subma
   return recording.candidates()[*index];
 }
 
+/// The pair if it was searched after the final optimization, whose poses no state has.
+std::optional<LoopCandidate> LastLook(const Recording& recording, SubmapId submap, NodeId node) {
+  const std::optional<LoopCandidate> searched = SearchedCandidate(recording, submap, node);
+  return searched && searched->last_look ? searched : std::nullopt;
+}
+
+/// The question without the answer.
+LoopCandidate AsAsked(const LoopCandidate& searched) {
+  LoopCandidate asked;
+  asked.submap = searched.submap;
+  asked.node = searched.node;
+  asked.considered_step = searched.considered_step;
+  asked.last_look = searched.last_look;
+  asked.submap_from_node_guess = searched.submap_from_node_guess;
+  asked.linear_search_window = searched.linear_search_window;
+  asked.angular_search_window = searched.angular_search_window;
+  asked.min_score = searched.min_score;
+  return asked;
+}
+
 /// When a pair came up last: at the later of the node's insertion and the submap's end, unless it
 /// got a second look.
 int ConsideredStep(const Recording& recording, SubmapId submap, NodeId node) {
@@ -48,7 +68,7 @@ double MinLoopScoreOf(const Recording& recording, SubmapId submap) {
   std::vector<PlacedScan> own_nodes;
   points.reserve(record.num_nodes);
   for (int i = record.first_node.index; i < record.first_node.index + record.num_nodes; ++i) {
-    points.push_back(LoopPointsOfNode(recording, NodeId{i}));
+    points.push_back(LoopScanOfNode(recording, NodeId{i}).returns);
     own_nodes.push_back({&points.back(), SubmapFromNode(recording, submap, NodeId{i})});
   }
   return MinLoopScore(own_nodes, GridOfSubmap(recording, submap),
@@ -122,13 +142,13 @@ std::optional<SearchReplay> ReplaySearch(const Recording& recording, SubmapId su
                                          std::optional<double> min_score) {
   const Submap& record = recording.submap(submap);
   if (record.finished_step < 0 || LiesIn(record, node)) return std::nullopt;
-  PointCloud points = LoopPointsOfNode(recording, node);
-  if (points.empty()) return std::nullopt;
+  RangeData scan = LoopScanOfNode(recording, node);
+  if (scan.returns.empty()) return std::nullopt;
   const std::optional<LoopCandidate> searched = SearchedCandidate(recording, submap, node);
   SearchReplay replay{searched.value_or(LoopCandidate{}),
                       searched.has_value(),
                       GridOfSubmap(recording, submap),
-                      std::move(points),
+                      std::move(scan),
                       LoopCandidate{},
                       SearchTrace{}};
   if (!searched) replay.candidate = ConsiderPair(recording, submap, node);
@@ -137,15 +157,24 @@ std::optional<SearchReplay> ReplaySearch(const Recording& recording, SubmapId su
   const BranchAndBoundMatcher matcher(replay.grid,
                                       options.fast_correlative_scan_matcher.branch_and_bound_depth);
   replay.result =
-      SearchLoop(replay.candidate, replay.points, replay.grid, matcher, options, &replay.trace);
+      SearchLoop(replay.candidate, replay.scan, replay.grid, matcher, options, &replay.trace);
   return replay;
 }
 
 LoopGate GateOfPair(const Recording& recording, SubmapId submap, NodeId node) {
-  return GateIn(StateWhenConsidered(recording, submap, node), recording, submap, node);
+  LoopGate gate = GateIn(StateWhenConsidered(recording, submap, node), recording, submap, node);
+  if (const auto look = LastLook(recording, submap, node)) {
+    gate.distance =
+        NodeBox(recording, submap).exteriorDistance(look->submap_from_node_guess.translation);
+    gate.linear_window = look->linear_search_window;
+    gate.angular_window = look->angular_search_window;
+    gate.is_near = true;
+  }
+  return gate;
 }
 
 LoopCandidate ConsiderPair(const Recording& recording, SubmapId submap, NodeId node) {
+  if (const auto look = LastLook(recording, submap, node)) return AsAsked(*look);
   const MapState state = StateWhenConsidered(recording, submap, node);
   const LoopGate gate = GateIn(state, recording, submap, node);
   LoopCandidate candidate;

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/graph/loop_search.h"
 #include "core/graph/spa_cost.h"
 
 namespace loopscope {
@@ -75,7 +76,26 @@ LoopCheck AmbiguityCheck(const LoopCandidate& candidate, const LoopAmbiguityOpti
                                 : "none";
   return {fmt::format("rivals {} m away or more", options.min_distance), rival,
           fmt::format("none above {:.3f}", options.max_relative_score * candidate.score),
+          candidate.rival_score == 0.0};
+}
+
+LoopCheck BorderCheck(const Recording& recording, const LoopCandidate& candidate) {
+  const bool at_border =
+      IsAtBorder(candidate, recording.options().trajectory_builder_2d.submaps.grid_resolution);
+  return {"winner at the border of the window", at_border ? "yes" : "no",
+          recording.options().pose_graph.constraint_builder.ambiguity.refuse_at_border ? "no" : "",
           candidate.verdict != Verdict::kAmbiguous};
+}
+
+LoopCheck WallSidesCheck(const Recording& recording, const LoopCandidate& candidate,
+                         const WallSidesOptions& options) {
+  const double share =
+      ShareFromBehind(LoopScanOfNode(recording, candidate.node), candidate.submap_from_node,
+                      GridOfSubmap(recording, candidate.submap));
+  return {"returns on walls that the submap knows from the other side only",
+          fmt::format("{:.0f} %", 100.0 * share),
+          fmt::format("at most {:.0f} %", 100.0 * options.max_share_from_behind),
+          candidate.verdict != Verdict::kFromBehind};
 }
 
 LoopCheck ConsistencyCheck(const LoopCandidate& candidate, const LoopConsistencyOptions& options) {
@@ -137,6 +157,10 @@ LoopExplanation ExplainLoop(const Recording& recording, SubmapId submap, NodeId 
   if (!list.Add(ScoreCheck(*candidate), "Not closed: nothing in the window matches well enough.") ||
       !list.Add(AmbiguityCheck(*candidate, options.ambiguity),
                 "Not closed: the scan fits at other places nearly as well.") ||
+      !list.Add(BorderCheck(recording, *candidate),
+                "Not closed: a place beyond the window may match better.") ||
+      !list.Add(WallSidesCheck(recording, *candidate, options.wall_sides),
+                "Not closed: it lies on the wrong side of walls.") ||
       !list.Add(ConsistencyCheck(*candidate, options.consistency),
                 "Not closed: it matched, but too few loops of other nodes say the same.")) {
     return list.explanation();
@@ -160,6 +184,8 @@ std::string ToString(Verdict verdict) {
       return "below score";
     case Verdict::kAmbiguous:
       return "ambiguous";
+    case Verdict::kFromBehind:
+      return "from behind";
     case Verdict::kInconsistent:
       return "inconsistent";
     case Verdict::kAccepted:

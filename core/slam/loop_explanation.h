@@ -32,7 +32,7 @@ LoopExplanation ExplainLoop(const Recording& recording, SubmapId submap, NodeId 
 /// The error of an accepted loop (eq. 5) in the poses of `state`: [m, m, rad].
 Eigen::Vector3d LoopResidual(const MapState& state, const LoopCandidate& accepted);
 
-/// "closed", "inconsistent", "ambiguous", "below score", "not sampled", "too far".
+/// "closed", "inconsistent", "ambiguous", "from behind", "below score", "not sampled", "too far".
 std::string ToString(Verdict verdict);
 
 }  // namespace loopscope

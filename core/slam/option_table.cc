@@ -151,6 +151,8 @@ Rows LoopAmbiguityRows(LoopAmbiguityOptions* o) {
        "Share of the winner's score that no place far from it may have; 1: off."},
       {"min_distance", &o->min_distance, 0, kMaxLength, "m",
        "From the winner, at which a place is another one."},
+      {"refuse_at_border", &o->refuse_at_border, 0, 0, "",
+       "Refuse winners at the border of the search window, beyond which may be better ones."},
   };
 }
 
@@ -185,6 +187,15 @@ Rows SecondLookRows(SecondLookOptions* o) {
   };
 }
 
+Rows LastLookRows(LastLookOptions* o) {
+  return {
+      {"num_nodes", &o->num_nodes, 0, kMaxCount, "",
+       "Likewise, in the least window, after the final optimization; 0: none."},
+      {"min_score_factor", &o->min_score_factor, 0, 1, "",
+       "Share of the score needed otherwise that is enough then."},
+  };
+}
+
 Rows ConstraintBuilderRows(ConstraintBuilderOptions* o) {
   Rows rows = {
       {"sampling_ratio", &o->sampling_ratio, 0, 1, "",
@@ -213,8 +224,15 @@ Rows ConstraintBuilderRows(ConstraintBuilderOptions* o) {
        "How stiff a loop closure is in heading."},
   };
   Append("ambiguity.", LoopAmbiguityRows(&o->ambiguity), &rows);
+  Append(
+      "wall_sides.",
+      {{"max_share_from_behind", &o->wall_sides.max_share_from_behind, 0, 1, "",
+        "Returns of a loop that may lie on walls that its submap knows from the other side only; "
+        "1: all."}},
+      &rows);
   Append("consistency.", LoopConsistencyRows(&o->consistency), &rows);
   Append("second_look.", SecondLookRows(&o->second_look), &rows);
+  Append("last_look.", LastLookRows(&o->last_look), &rows);
   Append("fast_correlative_scan_matcher.",
          FastCorrelativeScanMatcherRows(&o->fast_correlative_scan_matcher), &rows);
   Append("ceres_scan_matcher.", CeresScanMatcherRows(&o->ceres_scan_matcher), &rows);
@@ -235,6 +253,10 @@ Rows OptimizationProblemRows(OptimizationProblemOptions* o) {
        "How stiff odometry is between consecutive nodes in heading."},
       {"ceres_solver_options.max_num_iterations", &o->max_num_iterations, 0, kMaxCount, "",
        "An optimization on the way stops after so many iterations."},
+      {"outliers.max_distance", &o->outliers.max_distance, 0, kMaxLength, "m",
+       "Loops with a larger residual are left out of the final optimization; 0: none."},
+      {"outliers.max_angle", &o->outliers.max_angle, 0, kPi, "rad",
+       "Likewise, for the residual in heading."},
   };
 }
 

@@ -40,13 +40,19 @@ Options LoopscopePreset() {
   loops.consistency.min_way = 0.5;
   loops.consistency.num_checked_neighbors = 6;
   loops.second_look.num_nodes = 4;
+  loops.last_look.num_nodes = 12;
+  loops.last_look.min_score_factor = 0.8;
+  loops.loop_closure_rotation_weight = 1e4;
+  loops.wall_sides.max_share_from_behind = 0.15;
   loops.ambiguity.max_relative_score = 0.9;
+  loops.ambiguity.refuse_at_border = true;
   loops.consistency.min_num_supporters = 2;
   graph.optimization_problem.huber_scale = 1e2;
   graph.optimization_problem.local_slam_pose_translation_weight = 1e4;
   graph.optimization_problem.local_slam_pose_rotation_weight = 1e4;
   graph.optimization_problem.odometry_translation_weight = 0.0;
   graph.optimization_problem.odometry_rotation_weight = 0.0;
+  graph.optimization_problem.outliers.max_distance = 0.3;
   return options;
 }
 

@@ -64,7 +64,7 @@ struct SlamUpdate {
   std::optional<Submap> started_submap;      ///< begun before the node was inserted; still empty
   std::optional<Node> node;                  ///< inserted
   std::optional<SubmapId> finished_submap;   ///< which the node completed
-  std::vector<LoopCandidate> candidates;     ///< applied now, in order of (submap, node)
+  std::vector<LoopCandidate> candidates;     ///< applied now
   std::optional<Optimization> optimization;  ///< made with them
 };
 

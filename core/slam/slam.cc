@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "core/local/scan_preparation.h"
+
 namespace loopscope {
 namespace {
 
@@ -16,6 +18,16 @@ Step ToStep(const LocalSlamResult& local) {
                  : local.has_returns ? StepOutcome::kMotionFiltered
                                      : StepOutcome::kNoReturns;
   return step;
+}
+
+Optimization ToOptimization(int scan, bool final, GraphSolution solution) {
+  return {scan,
+          final,
+          std::move(solution.global_from_submap),
+          std::move(solution.global_from_node),
+          solution.num_iterations,
+          solution.initial_cost,
+          solution.final_cost};
 }
 
 }  // namespace
@@ -44,7 +56,7 @@ SlamUpdate Slam::AddScan(int scan) {
   const bool is_last = scan + 1 == static_cast<int>(log_.scans.size());
   if (num_nodes_ > 0 && (is_last || pose_graph_.OptimizationIsDue())) {
     update.candidates = pose_graph_.CollectLoops(scan);
-    update.optimization = Optimize(scan, is_last);
+    update.optimization = is_last ? Finish(scan, &update) : Optimize(scan);
   }
   return update;
 }
@@ -58,10 +70,10 @@ void Slam::AddNode(int scan, const LocalSlamResult& local, SlamUpdate* update) {
   }
   update->step.node = id;
   update->node = Node{scan, local.local_from_base, insertion.first_submap, insertion.num_submaps};
-  auto points = std::make_shared<PointCloud>(AdaptiveVoxelFilter(
-      local.range_data.returns, options_.trajectory_builder_2d.loop_closure_adaptive_voxel_filter));
+  auto loop_scan =
+      std::make_shared<const RangeData>(LoopScan(local.range_data, options_.trajectory_builder_2d));
   pose_graph_.AddNode({local.local_from_base, local.odom_from_base, insertion.first_submap,
-                       insertion.num_submaps, std::move(points)},
+                       insertion.num_submaps, std::move(loop_scan)},
                       scan);
 }
 
@@ -70,17 +82,22 @@ void Slam::FinishSubmap(int scan, ActiveSubmap finished, SlamUpdate* update) {
   pose_graph_.FinishSubmap(finished.id, std::move(finished.grid), scan);
 }
 
-Optimization Slam::Optimize(int scan, bool final) {
-  GraphSolution solution =
-      pose_graph_.Optimize(final ? options_.pose_graph.max_num_final_iterations
-                                 : options_.pose_graph.optimization_problem.max_num_iterations);
-  return {scan,
-          final,
-          std::move(solution.global_from_submap),
-          std::move(solution.global_from_node),
-          solution.num_iterations,
-          solution.initial_cost,
-          solution.final_cost};
+Optimization Slam::Optimize(int scan) {
+  return ToOptimization(
+      scan, false,
+      pose_graph_.Optimize(options_.pose_graph.optimization_problem.max_num_iterations));
+}
+
+Optimization Slam::Finish(int scan, SlamUpdate* update) {
+  const int max_num_iterations = options_.pose_graph.max_num_final_iterations;
+  const GraphSolution first = pose_graph_.Optimize(max_num_iterations);
+  for (const LoopCandidate& candidate : pose_graph_.LookLast(scan)) {
+    update->candidates.push_back(candidate);
+  }
+  GraphSolution last = pose_graph_.OptimizeWithoutOutliers(max_num_iterations);
+  last.num_iterations += first.num_iterations;
+  last.initial_cost = first.initial_cost;
+  return ToOptimization(scan, true, std::move(last));
 }
 
 }  // namespace loopscope

@@ -25,7 +25,9 @@ class Slam {
  private:
   void AddNode(int scan, const LocalSlamResult& local, SlamUpdate* update);
   void FinishSubmap(int scan, ActiveSubmap finished, SlamUpdate* update);
-  Optimization Optimize(int scan, bool final);
+  Optimization Optimize(int scan);
+  /// The final optimization, with a last look for loops and without those that are false.
+  Optimization Finish(int scan, SlamUpdate* update);
 
   const ScanLog& log_;
   Options options_;

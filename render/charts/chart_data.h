@@ -26,6 +26,7 @@ enum class ChartSubject {
   kAccepted,
   kInconsistent,
   kAmbiguous,
+  kFromBehind,
   kBelowMinScore,
   kWorst,
   kMean,

@@ -25,6 +25,7 @@ struct SubjectOfVerdict {
 constexpr SubjectOfVerdict kSearched[] = {
     {Verdict::kBelowMinScore, ChartSubject::kBelowMinScore, "below min_score"},
     {Verdict::kInconsistent, ChartSubject::kInconsistent, "inconsistent"},
+    {Verdict::kFromBehind, ChartSubject::kFromBehind, "from behind"},
     {Verdict::kAmbiguous, ChartSubject::kAmbiguous, "ambiguous"},
     {Verdict::kAccepted, ChartSubject::kAccepted, "closed"}};
 

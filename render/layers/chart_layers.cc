@@ -95,6 +95,7 @@ Color ColorOf(ChartSubject subject, const Palette& palette) {
       return palette.prior;
     case ChartSubject::kBelowMinScore:
       return palette.too_low;
+    case ChartSubject::kFromBehind:
     case ChartSubject::kWorst:
       return palette.hit;
     case ChartSubject::kMean:

@@ -19,6 +19,8 @@ std::string VerdictText(Verdict verdict) {
       return "below min_score";
     case Verdict::kAmbiguous:
       return "fits elsewhere as well";
+    case Verdict::kFromBehind:
+      return "on walls from behind";
     case Verdict::kInconsistent:
       return "no other loop agrees";
     case Verdict::kAccepted:

@@ -93,7 +93,7 @@ std::optional<Pose2> BestPose(const SearchReplay& search, const SearchPart& part
 void DrawScan(const SearchReplay& search, const Pose2& submap_from_node, const Color& color,
               Sheet* sheet) {
   sheet->Add(0, LayerKind::kScan, [&] {
-    return ScanLayer(search.points, submap_from_node, color, sheet->Px(widths::kScanPoint));
+    return ScanLayer(search.scan.returns, submap_from_node, color, sheet->Px(widths::kScanPoint));
   });
   sheet->Add(0, LayerKind::kRobot, [&] {
     return RobotLayer(submap_from_node, sheet->Meters(0, 1.5 * widths::kMark),

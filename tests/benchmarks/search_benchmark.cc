@@ -29,7 +29,7 @@ const Place& Office() {
     log.scans.resize(300);
     const Recording recording = MapLog(log, LoopscopePreset());
     const NodeId node{recording.submaps()[1].first_node.index + 40};
-    return Place{GridOfSubmap(recording, SubmapId{1}), LoopPointsOfNode(recording, node),
+    return Place{GridOfSubmap(recording, SubmapId{1}), LoopScanOfNode(recording, node).returns,
                  SubmapFromNode(recording, SubmapId{1}, node)};
   }();
   return place;

@@ -227,7 +227,7 @@ TEST(InspectorTest, TellsOfEveryBlockThatIsShownItsBoundAndFate) {
   ViewRequest request = RequestFor(ViewKind::kSearch);
   request.node = NodeId{122};
   request.submap = SubmapId{1};
-  request.search.num_visits = 100;
+  request.search.num_visits = 30;
   const auto search = ReplaySearch(SmallLoop(), SubmapId{1}, NodeId{122});
   const SearchPart part(search->trace, request.search);
   const auto levels = LevelsOf(part);

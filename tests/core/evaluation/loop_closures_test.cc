@@ -43,6 +43,7 @@ TEST(LoopClosures, AreWeighedAsHubersLossDoes) {
   options.pose_graph.constraint_builder.loop_closure_translation_weight = 100.0;
   options.pose_graph.constraint_builder.loop_closure_rotation_weight = 10.0;
   options.pose_graph.optimization_problem.huber_scale = 5.0;
+  options.pose_graph.optimization_problem.outliers.max_distance = 0.0;
   const Recording recording = LineRun({LineLoop(0, 22, Pose2(0.03, 0.0, 0.4)),   // |r| = 5
                                        LineLoop(0, 22, Pose2(0.06, 0.0, 0.8)),   // |r| = 10
                                        LineLoop(0, 22, Pose2(0.12, 0.0, 1.6))},  // |r| = 20
@@ -54,9 +55,25 @@ TEST(LoopClosures, AreWeighedAsHubersLossDoes) {
   EXPECT_FALSE(loops[2].IsInForce());
 }
 
+TEST(LoopClosures, AreInForceUnlessTheyAreOutliers) {
+  Options options = LoopscopePreset();
+  options.pose_graph.optimization_problem.outliers = {0.3, 0.05};
+  const Recording recording =
+      LineRun({LineLoop(0, 22, Pose2(0.29, 0.0, 0.0)), LineLoop(0, 22, Pose2(0.31, 0.0, 0.0)),
+               LineLoop(0, 22, Pose2(0.0, 0.0, 0.049)), LineLoop(0, 22, Pose2(0.0, 0.0, 0.051))},
+              options);
+  const auto loops = JudgeLoops(recording, LastState(recording), {});
+  EXPECT_TRUE(loops[0].IsInForce());
+  EXPECT_GT(loops[0].weight, 0.0);
+  EXPECT_FALSE(loops[1].IsInForce());
+  EXPECT_EQ(loops[1].weight, 0.0);
+  EXPECT_TRUE(loops[2].IsInForce());
+  EXPECT_FALSE(loops[3].IsInForce());
+}
+
 TEST(LoopClosures, AreCountedByWhatTheyAre) {
   Options options = LoopscopePreset();
-  options.pose_graph.optimization_problem.huber_scale = 1e5;  // in force up to 18 m
+  options.pose_graph.optimization_problem.outliers.max_distance = 18.0;
   const Recording recording =
       LineRun({LineLoop(0, 22, {}), LineLoop(1, 17, Pose2(0.19, 0.0, 0.017)),
                LineLoop(1, 17, Pose2(0.21, 0.0, 0.0)), LineLoop(1, 17, Pose2(0.0, 0.0, 0.018)),

@@ -39,11 +39,17 @@ LoopCandidate Candidate(int submap, int node, double min_score) {
   return candidate;
 }
 
+std::shared_ptr<const RangeData> ScanOf(const PointCloud& points) {
+  RangeData scan;
+  scan.returns = points;
+  return std::make_shared<const RangeData>(scan);
+}
+
 class LoopSearchInARoom : public ::testing::Test {
  protected:
   LoopCandidate Search(const LoopCandidate& candidate, SearchTrace* trace = nullptr) const {
-    return SearchLoop(candidate, points_, room_.grid(), matcher_, ConstraintBuilderOptions(),
-                      trace);
+    return SearchLoop(candidate, *ScanOf(points_), room_.grid(), matcher_,
+                      ConstraintBuilderOptions(), trace);
   }
 
   const SimulatedRoom room_;
@@ -109,6 +115,22 @@ TEST_F(LoopSearchInARoom, MakesAConstraintOfTheRefinedPose) {
   EXPECT_EQ(constraint.tag, Constraint::Tag::kInterSubmap);
 }
 
+TEST_F(LoopSearchInARoom, RefusesAWinnerAtTheBorderOnlyIfAsked) {
+  LoopCandidate candidate = Candidate(0, 1, 0.3);
+  candidate.submap_from_node_guess = kTruth * Pose2(0.4, 0.0, 0.0);
+  candidate.linear_search_window = 0.25;
+  ConstraintBuilderOptions options;
+  const auto search = [&] {
+    return SearchLoop(candidate, *ScanOf(points_), room_.grid(), matcher_, options);
+  };
+  EXPECT_EQ(search().verdict, Verdict::kAccepted);
+  EXPECT_TRUE(IsAtBorder(search(), room_.grid().resolution()));
+  options.ambiguity.refuse_at_border = true;
+  EXPECT_EQ(search().verdict, Verdict::kAmbiguous);
+  candidate.linear_search_window = 0.5;
+  EXPECT_EQ(search().verdict, Verdict::kAccepted);
+}
+
 /// Considers 3 submaps x 8 nodes, seen from different places, in an order of submap and node that
 /// is not that of the result.
 std::vector<LoopCandidate> SearchMany(const SimulatedRoom& room, int num_threads,
@@ -118,7 +140,7 @@ std::vector<LoopCandidate> SearchMany(const SimulatedRoom& room, int num_threads
   Random random(4);
   for (int node = 7; node >= 0; --node) {
     const Pose2 truth(random.Uniform(1.0, 3.0), random.Uniform(0.0, 1.0), random.Uniform(-3, 3));
-    const auto points = std::make_shared<const PointCloud>(room.ScanAt(truth));
+    const auto points = ScanOf(room.ScanAt(truth));
     for (int submap = 2; submap >= 0; --submap) {
       LoopCandidate candidate = Candidate(submap, node, 0.3 + 0.2 * submap);
       candidate.submap_from_node_guess = truth * Pose2(0.2, -0.1, 0.1);
@@ -152,7 +174,7 @@ TEST_F(LoopSearchInARoom, FindsTheSameInTheSameOrderOnAnyNumberOfThreads) {
 TEST_F(LoopSearchInARoom, GivesEveryCandidateOnce) {
   LoopSearch search(Options(), 2);
   search.AddSubmap(SubmapId{0}, room_.grid());
-  const auto points = std::make_shared<const PointCloud>(points_);
+  const auto points = ScanOf(points_);
   search.Consider(Candidate(0, 1, 0.5), points);
   EXPECT_EQ(search.Collect().size(), 1u);
   EXPECT_TRUE(search.Collect().empty());
@@ -164,7 +186,7 @@ TEST_F(LoopSearchInARoom, GivesEveryCandidateOnce) {
 std::vector<int> SampledNodes(double ratio, int num_nodes, const ProbabilityGrid& grid) {
   LoopSearch search(Options(ratio), 1);
   search.AddSubmap(SubmapId{0}, grid);
-  const auto points = std::make_shared<const PointCloud>(PointCloud{{1.0, 0.0}});
+  const auto points = ScanOf({{1.0, 0.0}});
   for (int node = 0; node < num_nodes; ++node) search.Consider(Candidate(0, node, 0.5), points);
   std::vector<int> sampled;
   for (const LoopCandidate& candidate : search.Collect()) {
@@ -187,7 +209,7 @@ TEST_F(LoopSearchInARoom, SearchesExactlyTheShareThatSamplingRatioSays) {
 TEST_F(LoopSearchInARoom, SaysOfAPairThatWasNotSampledThatItWasNotSearched) {
   LoopSearch search(Options(0.0), 1);
   search.AddSubmap(SubmapId{0}, room_.grid());
-  search.Consider(Candidate(0, 1, 0.5), std::make_shared<const PointCloud>(points_));
+  search.Consider(Candidate(0, 1, 0.5), ScanOf(points_));
   const LoopCandidate candidate = search.Collect().at(0);
   EXPECT_EQ(candidate.verdict, Verdict::kNotSampled);
   EXPECT_EQ(candidate.score, 0.0);

@@ -42,8 +42,10 @@ class ReturnToARoom {
   }
 
   void AddNode(const Pose2& local_from_node, const PointCloud& points, int submap) {
+    RangeData scan;
+    scan.returns = points;
     graph_.AddNode({local_from_node, std::nullopt, SubmapId{submap}, 1,
-                    std::make_shared<const PointCloud>(points)},
+                    std::make_shared<const RangeData>(scan)},
                    kStep);
   }
 
@@ -111,6 +113,26 @@ TEST(PoseGraph, GivesSubmapsOfTheSamePlaceWithoutALoopASecondLook) {
   EXPECT_TRUE(run.graph().CollectLoops(kStep + 20).empty()) << "a loop ties them";
 }
 
+TEST(PoseGraph, TakesALastLookForLessThanItsScoreInTheLeastWindow) {
+  PoseGraphOptions options = Options();
+  options.constraint_builder.sampling_ratio = 0.0;
+  options.constraint_builder.linear_search_window_per_meter = 0.1;
+  options.constraint_builder.second_look.min_way = 0.5;
+  options.constraint_builder.last_look = {2, 0.9};
+  ReturnToARoom run(options);
+  run.ComeTo(kFirst);
+  run.graph().FinishSubmap(SubmapId{1}, SimulatedRoom().grid(), kStep + 1);
+  run.graph().CollectLoops(kStep + 1);
+  const auto candidates = run.graph().LookLast(kStep + 2);
+  ASSERT_EQ(candidates.size(), 2u);  // each of the two nodes in the other submap
+  EXPECT_EQ(candidates[0].verdict, Verdict::kAccepted);
+  EXPECT_EQ(candidates[0].node, NodeId{1});
+  EXPECT_EQ(candidates[0].applied_step, kStep + 2);
+  EXPECT_NEAR(candidates[0].min_score, 0.9 * 0.55, 1e-12);
+  EXPECT_EQ(candidates[0].linear_search_window, 0.6);
+  EXPECT_TRUE(run.graph().LookLast(kStep + 3).empty()) << "a loop ties them";
+}
+
 TEST(PoseGraph, DoesNotConsiderWhatIsTooFarOrBlindOrLiesInTheSubmap) {
   ReturnToARoom run(Options());
   run.AddNode(Pose2(4.1, 0.5, 0.0), {{1.0, 0.0}}, 1);  // 3.1 m from the only node of submap 0
@@ -122,10 +144,17 @@ TEST(PoseGraph, DoesNotConsiderWhatIsTooFarOrBlindOrLiesInTheSubmap) {
 TEST(PoseGraph, ConsidersNothingIfItNeverOptimizes) {
   PoseGraphOptions options = Options();
   options.optimize_every_n_nodes = 0;
+  options.constraint_builder.second_look.num_nodes = 2;
+  options.constraint_builder.second_look.min_way = 0.5;
+  options.constraint_builder.last_look.num_nodes = 2;
   ReturnToARoom run(options);
   run.ComeTo(kFirst);
   EXPECT_TRUE(run.graph().CollectLoops(kStep).empty());
   EXPECT_FALSE(run.graph().OptimizationIsDue());
+  run.graph().FinishSubmap(SubmapId{1}, SimulatedRoom().grid(), kStep + 1);
+  EXPECT_TRUE(run.graph().CollectLoops(kStep + 1).empty());
+  EXPECT_TRUE(run.graph().CollectLoops(kStep + 2).empty());
+  EXPECT_TRUE(run.graph().LookLast(kStep + 3).empty());
 }
 
 TEST(PoseGraph, ConsidersTheNodesThatWereThereWhenASubmapIsFinished) {

@@ -80,6 +80,18 @@ TEST_F(SecondLookTest, LooksAgainOnlyOnceTheTwoHaveMoved) {
   EXPECT_THAT(Choose(&look), IsEmpty()) << "it counts from the last look";
 }
 
+TEST_F(SecondLookTest, TakesAllUntiedPairsInTheEnd) {
+  options_.num_nodes = 0;
+  SecondLook look(options_);
+  const auto choose = [&] {
+    return look.ChooseOfUntied(submaps_, global_from_node_, node_ways_, 1);
+  };
+  EXPECT_THAT(choose(), ElementsAre(PairOf(0, 15), PairOf(5, 5)));
+  EXPECT_THAT(choose(), ElementsAre(PairOf(0, 15), PairOf(5, 5))) << "moved or not";
+  look.Tie(SubmapId{5}, SubmapId{0});
+  EXPECT_THAT(choose(), IsEmpty());
+}
+
 TEST_F(SecondLookTest, IsOffWithoutNodes) {
   options_.num_nodes = 0;
   SecondLook look(options_);

@@ -40,6 +40,7 @@ LoopCandidate Accepted(int submap, int node) {
   LoopCandidate candidate = BelowMinScore(submap, node);
   candidate.verdict = Verdict::kAccepted;
   candidate.whole_submap = true;
+  candidate.last_look = true;
   candidate.num_supporters = 300;
   candidate.submap_from_node = Pose2(0.0, -0.0, 0.3);
   return candidate;
@@ -51,6 +52,7 @@ void ExpectEqual(const LoopCandidate& a, const LoopCandidate& b) {
   EXPECT_EQ(a.considered_step, b.considered_step);
   EXPECT_EQ(a.applied_step, b.applied_step);
   EXPECT_EQ(a.whole_submap, b.whole_submap);
+  EXPECT_EQ(a.last_look, b.last_look);
   EXPECT_EQ(a.submap_from_node_guess, b.submap_from_node_guess);
   EXPECT_EQ(a.verdict, b.verdict);
   EXPECT_EQ(a.score, b.score);

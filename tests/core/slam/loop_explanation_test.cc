@@ -66,6 +66,32 @@ TEST(ExplainLoop, NamesTheMissingSupporters) {
   EXPECT_EQ(explanation.checks.back().expected, "at least 1000");
 }
 
+TEST(ExplainLoop, TellsHowManyReturnsLieOnWallsFromBehind) {
+  Options options = SmallLoopOptions();
+  options.pose_graph.constraint_builder.wall_sides.max_share_from_behind = 0.0;
+  options.pose_graph.constraint_builder.consistency.min_num_supporters = 0;
+  const Recording recording = MapLog(SimulateSmallLoop().log, options);
+  const LoopExplanation explanation = ExplainFirstWith(recording, Verdict::kFromBehind);
+  EXPECT_FALSE(explanation.closed);
+  EXPECT_THAT(explanation.checks.back().what, HasSubstr("walls"));
+  EXPECT_EQ(explanation.checks.back().expected, "at most 0 %");
+  EXPECT_FALSE(explanation.checks.back().passed);
+}
+
+TEST(ExplainLoop, TellsThatTheWinnerLiesAtTheBorder) {
+  Options options = SmallLoopOptions();
+  options.pose_graph.constraint_builder.ambiguity.refuse_at_border = true;
+  options.pose_graph.constraint_builder.ambiguity.max_relative_score = 1.0;
+  options.pose_graph.constraint_builder.fast_correlative_scan_matcher.linear_search_window = 0.06;
+  options.pose_graph.constraint_builder.linear_search_window_per_meter = 0.0;
+  const Recording recording = MapLog(SimulateSmallLoop().log, options);
+  const LoopExplanation explanation = ExplainFirstWith(recording, Verdict::kAmbiguous);
+  EXPECT_FALSE(explanation.closed);
+  EXPECT_THAT(explanation.checks.back().what, HasSubstr("border"));
+  EXPECT_EQ(explanation.checks.back().value, "yes");
+  EXPECT_FALSE(explanation.checks.back().passed);
+}
+
 TEST(ExplainLoop, TellsWhatAPairThatWasNotSampledWouldHaveScored) {
   const LoopExplanation explanation = ExplainFirstWith(SmallLoop(), Verdict::kNotSampled);
   EXPECT_FALSE(explanation.closed);

@@ -107,6 +107,18 @@ TEST(Slam, KeepsRoomsThatAreAllAlikeApart) {
   EXPECT_LT(error->translation.rmse, 0.05);
 }
 
+TEST(Slam, KeepsTheTwoSidesOfARackApart) {
+  SimulationOptions options;
+  options.seed = 2;
+  const Simulation simulation = Simulate(MakeWorld("warehouse"), options);
+  const Recording recording = MapLog(simulation.log, LoopscopePreset(), 2);
+  EXPECT_GT(NumCandidates(recording, Verdict::kAccepted), 20);
+  EXPECT_GT(NumCandidates(recording, Verdict::kFromBehind), 0);
+  EXPECT_LT(WorstLoop(recording, simulation.ground_truth), 0.3);
+  const auto error = EvaluateTrajectory(simulation.ground_truth, TrajectoryOf(recording));
+  EXPECT_LT(error->translation.rmse, 0.05);
+}
+
 TEST(Slam, GivesTheSameRecordingOnAnyNumberOfThreads) {
   const Simulation simulation = SimulateSmallLoop();
   const Recording one_thread = MapLog(simulation.log, SmallLoopOptions(), 1);

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/graph/graph_solver.h"
+
+namespace loopscope {
+
+/// Whether the residual of eq. 5 [m, m, rad] of a loop is beyond what `options` leave it. False if
+/// they are off.
+bool IsOutlier(const Eigen::Vector3d& residual, const OutlierOptions& options);
+
+/// The problem without the loops that are outliers at its poses.
+GraphProblem WithoutOutliers(const GraphProblem& problem, const OutlierOptions& options);
+
+/// (SPA) without the loops that contradict the others: those that eq. 4 leaves with too large a
+/// residual are taken out and the others solved again, until none goes or comes back. A local
+/// minimum of truncated losses; Yang et al., "Graduated Non-Convexity for Robust Spatial
+/// Perception", RA-L 2020, who start from squares, where this starts from Huber's loss.
+/// `initial_cost` is that of all loops, `final_cost` that of those that are left.
+GraphSolution SolveGraphWithoutOutliers(const GraphProblem& problem,
+                                        const OptimizationProblemOptions& options,
+                                        int max_num_iterations);
+
+}  // namespace loopscope
