@@ -115,14 +115,11 @@ int RunEvaluate(const EvaluateArguments& arguments) {
 constexpr char kColumns[] =
     "Columns: relat., [deg]: mean errors of the relations. ATE, RPE: root mean squares. loops: "
     "INTER\n"
-    "constraints; held: those that the final optimization does not leave out as outliers. self: "
-    "loops "
-    "within\n"
-    "20 cm and 1 deg of the optimized poses. true: of those held, within --loop-tolerance of the\n"
-    "reference. recall: of the pairs of submaps that the reference puts closer than 3 m, and that "
-    "see\n"
-    "the same, those tied by a loop that is held and not false; accepted: by any that is not "
-    "false.\n"
+    "constraints; held: those that the final optimization does not leave out as outliers. self:\n"
+    "loops within 20 cm and 1 deg of the optimized poses. true: of those held, within\n"
+    "--loop-tolerance of the reference. recall: of the pairs of submaps that the reference puts\n"
+    "closer than 3 m, and that see the same, those tied by a loop that is held and not false;\n"
+    "accepted: by any that is not false.\n"
     "wall, entropy: how thick walls are, and how blurred. disagree: what scans that see occupied\n"
     "cells as free have of all that see these. '-': does not apply.";
 

@@ -162,19 +162,16 @@ void PoseGraph::LookAgain(int step) {
 }
 
 std::vector<LoopCandidate> PoseGraph::LookLast(int step) {
-  const ConstraintBuilderOptions& options = options_.constraint_builder;
-  const BranchAndBoundOptions& least = options.fast_correlative_scan_matcher;
+  const LastLookOptions& options = options_.constraint_builder.last_look;
   if (options_.optimize_every_n_nodes == 0) return {};
   for (const auto& [submap, node] :
        second_look_.ChooseOfUntied(FinishedPlaces(finished_submaps_.size()), global_from_node_,
-                                   node_ways_, options.last_look.num_nodes)) {
+                                   node_ways_, options.num_nodes)) {
     const NodeData& data = nodes_[node.index];
     if (data.scan->returns.empty()) continue;
-    LoopCandidate candidate = CandidateOf(submap, node, 0.0, step);
+    LoopCandidate candidate = CandidateOf(submap, node, 0.0, step);  // no drift: the least window
     candidate.last_look = true;
-    candidate.linear_search_window = least.linear_search_window;
-    candidate.angular_search_window = least.angular_search_window;
-    candidate.min_score *= options.last_look.min_score_factor;
+    candidate.min_score *= options.min_score_factor;
     loop_search_.SearchAlso(candidate, data.scan);
   }
   std::vector<LoopCandidate> candidates = loop_search_.Collect();
