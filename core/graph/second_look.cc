@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/graph/second_look.h"
 
+#include <algorithm>
+
 namespace loopscope {
 namespace {
 
@@ -16,6 +18,13 @@ std::vector<NodeId> Spread(const std::vector<NodeId>& nodes, int count) {
   std::vector<NodeId> some;
   for (int i = 0; i < count; ++i) some.push_back(nodes[(2 * i + 1) * size / (2 * count)]);
   return some;
+}
+
+/// Each pair once: a node lies in two submaps, and so may come up for both.
+void RemoveRepeated(std::vector<SecondLook::Pair>* pairs) {
+  std::set<SecondLook::Pair> seen;
+  const auto is_repeated = [&](const SecondLook::Pair& pair) { return !seen.insert(pair).second; };
+  pairs->erase(std::remove_if(pairs->begin(), pairs->end(), is_repeated), pairs->end());
 }
 
 /// Tells whether submaps show the same place, by their nodes.
@@ -73,6 +82,7 @@ std::vector<SecondLook::Pair> SecondLook::Choose(const std::vector<SubmapPlace>&
       looked_at_[{first.id, second.id}] = FirstFromSecond(first, second);
     }
   }
+  RemoveRepeated(&pairs);
   return pairs;
 }
 
@@ -89,6 +99,7 @@ std::vector<SecondLook::Pair> SecondLook::ChooseOfUntied(const std::vector<Subma
       }
     }
   }
+  RemoveRepeated(&pairs);
   return pairs;
 }
 

@@ -51,7 +51,7 @@ class SecondLook {
   void Tie(SubmapId a, SubmapId b) { tied_.insert(std::minmax(a, b)); }
 
   /// The pairs to search now, num_nodes at most for one submap in another, spread over the nodes
-  /// that are near. `node_ways` [m] is how far the robot had gone at each node.
+  /// that are near, each once. `node_ways` [m] is how far the robot had gone at each node.
   std::vector<Pair> Choose(const std::vector<SubmapPlace>& submaps,
                            const std::vector<Pose2>& global_from_node,
                            const std::vector<double>& node_ways);

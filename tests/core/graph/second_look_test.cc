@@ -92,6 +92,16 @@ TEST_F(SecondLookTest, TakesAllUntiedPairsInTheEnd) {
   EXPECT_THAT(choose(), IsEmpty());
 }
 
+TEST_F(SecondLookTest, TakesANodeThatLiesInTwoSubmapsOnce) {
+  submaps_.push_back(submaps_[1]);
+  submaps_[2].id = SubmapId{6};
+  SecondLook look(options_);
+  const auto untied = look.ChooseOfUntied(submaps_, global_from_node_, node_ways_, 1);
+  EXPECT_THAT(untied, ElementsAre(PairOf(0, 15), PairOf(5, 5), PairOf(6, 5)));
+  EXPECT_THAT(Choose(&look), ElementsAre(PairOf(0, 12), PairOf(0, 17), PairOf(5, 2), PairOf(5, 7),
+                                         PairOf(6, 2), PairOf(6, 7)));
+}
+
 TEST_F(SecondLookTest, IsOffWithoutNodes) {
   options_.num_nodes = 0;
   SecondLook look(options_);
