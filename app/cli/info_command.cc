@@ -97,9 +97,7 @@ void PrintOptions(const Options& options, bool all) {
 }
 
 void PrintLoops(const std::vector<LoopCandidate>& candidates) {
-  for (const Verdict verdict :
-       {Verdict::kAccepted, Verdict::kInconsistent, Verdict::kAmbiguous, Verdict::kFromBehind,
-        Verdict::kBelowMinScore, Verdict::kNotSampled}) {
+  for (const Verdict verdict : kRecordedVerdicts) {
     const auto has_verdict = [verdict](const LoopCandidate& c) { return c.verdict == verdict; };
     PrintRow("loops", "{} {}", std::count_if(candidates.begin(), candidates.end(), has_verdict),
              ToString(verdict));

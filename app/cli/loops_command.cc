@@ -134,6 +134,12 @@ int RunLoops(const LoopsArguments& arguments) {
   return 0;
 }
 
+std::vector<std::string> NamesOfVerdicts() {
+  std::vector<std::string> names;
+  for (const Verdict verdict : kRecordedVerdicts) names.push_back(ToString(verdict));
+  return names;
+}
+
 }  // namespace
 
 void AddLoopsCommand(CLI::App* app, int* exit_code) {
@@ -143,8 +149,7 @@ void AddLoopsCommand(CLI::App* app, int* exit_code) {
   AddRunArgument(command, &arguments->run);
   command->add_option("--verdict", arguments->verdict, "Only pairs with this verdict")
       ->type_name("VERDICT")
-      ->check(CLI::IsMember(
-          {"closed", "inconsistent", "ambiguous", "from behind", "below score", "not sampled"}));
+      ->check(CLI::IsMember(NamesOfVerdicts()));
   command->add_option("--node", arguments->node, "Only pairs of this node")->type_name("N");
   command->add_option("--submap", arguments->submap, "Only pairs of this submap")->type_name("M");
   CLI::Option* const json = command->add_flag("--json", arguments->json, "Print JSON");

@@ -78,9 +78,7 @@ std::vector<ReportRow> VerdictCounts(const Recording& recording, const MapState&
     if (wanted(candidate)) ++counts[candidate.verdict];
   }
   std::vector<ReportRow> rows;
-  for (const Verdict verdict :
-       {Verdict::kAccepted, Verdict::kInconsistent, Verdict::kAmbiguous, Verdict::kFromBehind,
-        Verdict::kBelowMinScore, Verdict::kNotSampled}) {
+  for (const Verdict verdict : kRecordedVerdicts) {
     rows.push_back(Row(ToString(verdict), std::to_string(counts[verdict])));
   }
   return rows;

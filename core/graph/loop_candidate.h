@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+
 #include "core/geometry/id.h"
 #include "core/geometry/pose2.h"
 
@@ -17,6 +19,17 @@ enum class Verdict {
   kAccepted,       ///< INTER_SUBMAP constraint
   kFromBehind,     ///< it lies on walls that the submap knows from the other side only
 };
+
+/// Those that a recording can hold, the most interesting ones first.
+constexpr std::array<Verdict, 6> kRecordedVerdicts = {
+    Verdict::kAccepted,   Verdict::kInconsistent,  Verdict::kAmbiguous,
+    Verdict::kFromBehind, Verdict::kBelowMinScore, Verdict::kNotSampled};
+
+/// Whether something was found that scores enough, but was not believed.
+constexpr bool IsRefused(Verdict verdict) {
+  return verdict == Verdict::kAmbiguous || verdict == Verdict::kFromBehind ||
+         verdict == Verdict::kInconsistent;
+}
 
 /// A pair of a node and a finished submap that came up for a loop search. Of one that was not
 /// sampled, only ids, steps and verdict are set.

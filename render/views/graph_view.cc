@@ -30,10 +30,7 @@ std::vector<Constraint> RefusedLoops(const Recording& recording, const MapState&
   std::vector<Constraint> refused;
   for (int i = 0; i < state.num_candidates; ++i) {
     const LoopCandidate& candidate = recording.candidates()[i];
-    const bool was_refused = candidate.verdict == Verdict::kInconsistent ||
-                             candidate.verdict == Verdict::kAmbiguous ||
-                             candidate.verdict == Verdict::kFromBehind;
-    if (!was_refused) continue;
+    if (!IsRefused(candidate.verdict)) continue;
     refused.push_back({candidate.submap, candidate.node, candidate.submap_from_node, 0.0, 0.0,
                        Constraint::Tag::kInterSubmap});
   }
