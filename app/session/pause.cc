@@ -10,16 +10,16 @@
 namespace loopscope {
 namespace {
 
-/// Indices of the candidates with one of the verdicts that were applied at `step`.
-std::vector<int> AppliedAtStep(const Recording& recording, int step,
-                               const std::set<Verdict>& verdicts) {
+/// Indices of the candidates that were applied at `step` with a verdict that `is_wanted`.
+template <typename Predicate>
+std::vector<int> AppliedAtStep(const Recording& recording, int step, const Predicate& is_wanted) {
   const auto& candidates = recording.candidates();
   const auto begin = std::partition_point(
       candidates.begin(), candidates.end(),
       [&](const LoopCandidate& candidate) { return candidate.applied_step < step; });
   std::vector<int> found;
   for (auto it = begin; it != candidates.end() && it->applied_step == step; ++it) {
-    if (verdicts.count(it->verdict) > 0) found.push_back(static_cast<int>(it - candidates.begin()));
+    if (is_wanted(it->verdict)) found.push_back(static_cast<int>(it - candidates.begin()));
   }
   return found;
 }
@@ -44,7 +44,8 @@ FarthestLoop FindFarthest(const Recording& recording, int step, const std::vecto
 
 std::optional<Event> ShouldPause(const Recording& recording, int step,
                                  const PauseConditions& conditions) {
-  const std::vector<int> closed = AppliedAtStep(recording, step, {Verdict::kAccepted});
+  const std::vector<int> closed =
+      AppliedAtStep(recording, step, [](Verdict verdict) { return verdict == Verdict::kAccepted; });
   if (conditions.residual_above && !closed.empty()) {
     const FarthestLoop farthest = FindFarthest(recording, step, closed);
     if (farthest.residual > *conditions.residual_above) {
@@ -54,8 +55,7 @@ std::optional<Event> ShouldPause(const Recording& recording, int step,
   if (conditions.on_loop && !closed.empty()) {
     return Event{step, Event::Kind::kLoopClosed, closed.front()};
   }
-  const std::vector<int> refused = AppliedAtStep(
-      recording, step, {Verdict::kAmbiguous, Verdict::kFromBehind, Verdict::kInconsistent});
+  const std::vector<int> refused = AppliedAtStep(recording, step, IsRefused);
   if (conditions.on_rejection && !refused.empty()) {
     return Event{step, Event::Kind::kLoopRefused, refused.front()};
   }

@@ -85,8 +85,9 @@ std::vector<JudgedLoop> JudgeLoops(const Recording& recording, const MapState& s
     const Eigen::Vector3d residual = LoopResidual(state, candidate);
     const OutlierOptions& outliers = recording.options().pose_graph.optimization_problem.outliers;
     const double weight = WeightOf(residual, recording.options().pose_graph);
-    loops.push_back({candidate.submap, candidate.node, residual, weight,
-                     outliers.max_distance > 0.0 ? weight == 0.0 : weight < 0.5,
+    const bool is_outlier =
+        outliers.max_distance > 0.0 ? IsOutlier(residual, outliers) : weight < 0.5;
+    loops.push_back({candidate.submap, candidate.node, residual, weight, is_outlier,
                      ErrorOf(recording, candidate, reference)});
   }
   return loops;

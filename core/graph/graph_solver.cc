@@ -244,6 +244,12 @@ std::optional<Eigen::Matrix3d> CovarianceOf(const GraphProblem& problem, int unk
 
 }  // namespace
 
+GraphSolution Continued(const GraphSolution& first, GraphSolution next) {
+  next.num_iterations += first.num_iterations;
+  next.initial_cost = first.initial_cost;
+  return next;
+}
+
 GraphSolution SolveGraph(const GraphProblem& problem, const OptimizationProblemOptions& options,
                          int max_num_iterations) {
   assert(!problem.global_from_submap.empty());

@@ -28,6 +28,9 @@ struct GraphSolution {
   double final_cost = 0.0;
 };
 
+/// `next`, which began where `first` ended, as one optimization with it.
+GraphSolution Continued(const GraphSolution& first, GraphSolution next);
+
 /// (SPA): minimizes eq. 4 by Levenberg-Marquardt, with Huber loss on INTER_SUBMAP constraints, in
 /// at most `max_num_iterations`. Nodes are eliminated from each step first, as far as they are not
 /// tied to each other; Konolige et al., "Efficient Sparse Pose Adjustment for 2D Mapping",

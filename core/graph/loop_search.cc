@@ -32,10 +32,9 @@ bool IsFromBehind(const LoopCandidate& found, const RangeData& scan_in_node,
 
 Verdict VerdictOnWinner(const LoopCandidate& found, const RangeData& scan_in_node,
                         const ProbabilityGrid& grid, const ConstraintBuilderOptions& options) {
-  const LoopAmbiguityOptions& ambiguity = options.ambiguity;
-  if (found.rival_score > 0.0) return Verdict::kAmbiguous;
-  if (ambiguity.refuse_at_border && IsAtBorder(found, grid.resolution()))
-    return Verdict::kAmbiguous;
+  const bool is_at_border =
+      options.ambiguity.refuse_at_border && IsAtBorder(found, grid.resolution());
+  if (found.rival_score > 0.0 || is_at_border) return Verdict::kAmbiguous;
   if (IsFromBehind(found, scan_in_node, grid, options.wall_sides)) return Verdict::kFromBehind;
   return Verdict::kAccepted;
 }

@@ -53,10 +53,7 @@ GraphSolution SolveGraphWithoutOutliers(const GraphProblem& problem,
     all.global_from_node = solution.global_from_node;
     GraphProblem rest = WithoutOutliers(all, options.outliers);
     if (HaveSamePairs(rest.constraints, solved)) break;
-    GraphSolution next = SolveGraph(rest, options, max_num_iterations);
-    next.num_iterations += solution.num_iterations;
-    next.initial_cost = solution.initial_cost;
-    solution = std::move(next);
+    solution = Continued(solution, SolveGraph(rest, options, max_num_iterations));
     solved = std::move(rest.constraints);
   }
   return solution;

@@ -94,8 +94,7 @@ bool PoseGraph::LiesIn(const NodeData& node, SubmapId submap) {
 
 void PoseGraph::Consider(SubmapId submap, NodeId node, double way, int step) {
   const NodeData& data = nodes_[node.index];
-  if (options_.optimize_every_n_nodes == 0 || data.scan->returns.empty() || LiesIn(data, submap))
-    return;
+  if (!SearchesLoops() || data.scan->returns.empty() || LiesIn(data, submap)) return;
   const LoopCandidate candidate = CandidateOf(submap, node, way, step);
   if (candidate.verdict != Verdict::kTooFar) loop_search_.Consider(candidate, data.scan);
 }
@@ -118,8 +117,7 @@ LoopCandidate PoseGraph::CandidateOf(SubmapId submap, NodeId node, double way, i
 }
 
 bool PoseGraph::OptimizationIsDue() const {
-  return options_.optimize_every_n_nodes > 0 &&
-         num_nodes_since_optimization_ >= options_.optimize_every_n_nodes;
+  return SearchesLoops() && num_nodes_since_optimization_ >= options_.optimize_every_n_nodes;
 }
 
 std::vector<LoopCandidate> PoseGraph::CollectLoops(int step) {
@@ -146,7 +144,7 @@ void PoseGraph::TakeIn(std::vector<LoopCandidate>* candidates, int step) {
 }
 
 void PoseGraph::LookAgain(int step) {
-  if (options_.optimize_every_n_nodes == 0) return;
+  if (!SearchesLoops()) return;
   std::map<SubmapId, std::vector<double>> ways;
   for (const auto& [submap, node] :
        second_look_.Choose(FinishedPlaces(num_looked_at_), global_from_node_, node_ways_)) {
@@ -163,7 +161,7 @@ void PoseGraph::LookAgain(int step) {
 
 std::vector<LoopCandidate> PoseGraph::LookLast(int step) {
   const LastLookOptions& options = options_.constraint_builder.last_look;
-  if (options_.optimize_every_n_nodes == 0) return {};
+  if (!SearchesLoops()) return {};
   for (const auto& [submap, node] :
        second_look_.ChooseOfUntied(FinishedPlaces(finished_submaps_.size()), global_from_node_,
                                    node_ways_, options.num_nodes)) {

@@ -55,6 +55,7 @@ class PoseGraph {
   GraphSolution OptimizeWithoutOutliers(int max_num_iterations);
 
  private:
+  bool SearchesLoops() const { return options_.optimize_every_n_nodes > 0; }
   /// Adds the way from the node before to the travel graph.
   void AddWayTo(NodeId id);
   /// Local SLAM and odometry between the node and the one before it.

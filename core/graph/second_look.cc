@@ -20,6 +20,13 @@ std::vector<NodeId> Spread(const std::vector<NodeId>& nodes, int count) {
   return some;
 }
 
+template <typename Visitor>
+void ForEachTwo(const std::vector<SubmapPlace>& submaps, const Visitor& visit) {
+  for (std::size_t b = 0; b < submaps.size(); ++b) {
+    for (std::size_t a = 0; a < b; ++a) visit(submaps[a], submaps[b]);
+  }
+}
+
 /// Each pair once: a node lies in two submaps, and so may come up for both.
 void RemoveRepeated(std::vector<SecondLook::Pair>* pairs) {
   std::set<SecondLook::Pair> seen;
@@ -73,15 +80,11 @@ std::vector<SecondLook::Pair> SecondLook::Choose(const std::vector<SubmapPlace>&
   std::vector<Pair> pairs;
   if (options_.num_nodes == 0) return pairs;
   const SamePlace same_place{global_from_node, node_ways, options_, options_.num_nodes};
-  for (std::size_t b = 0; b < submaps.size(); ++b) {
-    for (std::size_t a = 0; a < b; ++a) {
-      const SubmapPlace& first = submaps[a];
-      const SubmapPlace& second = submaps[b];
-      if (IsTied(first.id, second.id) || !HaveMoved(first, second)) continue;
-      if (!same_place.AddPairs(first, second, &pairs)) continue;
-      looked_at_[{first.id, second.id}] = FirstFromSecond(first, second);
-    }
-  }
+  ForEachTwo(submaps, [&](const SubmapPlace& first, const SubmapPlace& second) {
+    if (IsTied(first.id, second.id) || !HaveMoved(first, second)) return;
+    if (!same_place.AddPairs(first, second, &pairs)) return;
+    looked_at_[{first.id, second.id}] = FirstFromSecond(first, second);
+  });
   RemoveRepeated(&pairs);
   return pairs;
 }
@@ -91,14 +94,11 @@ std::vector<SecondLook::Pair> SecondLook::ChooseOfUntied(const std::vector<Subma
                                                          const std::vector<double>& node_ways,
                                                          int num_nodes) const {
   std::vector<Pair> pairs;
+  if (num_nodes == 0) return pairs;
   const SamePlace same_place{global_from_node, node_ways, options_, num_nodes};
-  for (std::size_t b = 0; b < submaps.size(); ++b) {
-    for (std::size_t a = 0; a < b; ++a) {
-      if (!IsTied(submaps[a].id, submaps[b].id)) {
-        same_place.AddPairs(submaps[a], submaps[b], &pairs);
-      }
-    }
-  }
+  ForEachTwo(submaps, [&](const SubmapPlace& first, const SubmapPlace& second) {
+    if (!IsTied(first.id, second.id)) same_place.AddPairs(first, second, &pairs);
+  });
   RemoveRepeated(&pairs);
   return pairs;
 }

@@ -90,14 +90,15 @@ Optimization Slam::Optimize(int scan) {
 
 Optimization Slam::Finish(int scan, SlamUpdate* update) {
   const int max_num_iterations = options_.pose_graph.max_num_final_iterations;
+  const auto optimize = [&] { return pose_graph_.OptimizeWithoutOutliers(max_num_iterations); };
+  if (options_.pose_graph.constraint_builder.last_look.num_nodes == 0) {
+    return ToOptimization(scan, true, optimize());
+  }
   const GraphSolution first = pose_graph_.Optimize(max_num_iterations);
   for (const LoopCandidate& candidate : pose_graph_.LookLast(scan)) {
     update->candidates.push_back(candidate);
   }
-  GraphSolution last = pose_graph_.OptimizeWithoutOutliers(max_num_iterations);
-  last.num_iterations += first.num_iterations;
-  last.initial_cost = first.initial_cost;
-  return ToOptimization(scan, true, std::move(last));
+  return ToOptimization(scan, true, Continued(first, optimize()));
 }
 
 }  // namespace loopscope

@@ -227,7 +227,7 @@ TEST(InspectorTest, TellsOfEveryBlockThatIsShownItsBoundAndFate) {
   ViewRequest request = RequestFor(ViewKind::kSearch);
   request.node = NodeId{122};
   request.submap = SubmapId{1};
-  request.search.num_visits = 30;
+  request.search.num_visits = 100;
   const auto search = ReplaySearch(SmallLoop(), SubmapId{1}, NodeId{122});
   const SearchPart part(search->trace, request.search);
   const auto levels = LevelsOf(part);
@@ -241,7 +241,9 @@ TEST(InspectorTest, TellsOfEveryBlockThatIsShownItsBoundAndFate) {
       EXPECT_EQ(ValueOf(*finding, "height"), std::to_string(levels[i].height));
       EXPECT_EQ(ValueOf(*finding, "depth"),
                 std::to_string(levels.front().height - levels[i].height));
-      EXPECT_EQ(ValueOf(*finding, "fate"), part.WasPruned(node)     ? "pruned by bound"
+      EXPECT_EQ(ValueOf(*finding, "fate"), part.WasPruned(node) ? "pruned by bound"
+                                           : part.WasExpanded(node) && levels[i].height == 0
+                                               ? "became the best"
                                            : part.WasExpanded(node) ? "expanded"
                                                                     : "not yet visited");
       EXPECT_EQ(ValueOf(*finding, "best score then").empty(), !part.WasDecided(node));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <memory>
 
 #include "core/grid/ray_cast.h"
 #include "core/grid/scan_inserter.h"
@@ -10,6 +11,13 @@
 #include "core/simulation/ray_caster.h"
 
 namespace loopscope {
+
+/// A scan with these returns, by a scanner in the middle of the robot.
+inline std::shared_ptr<const RangeData> ScanOf(const PointCloud& points_in_node) {
+  RangeData scan;
+  scan.returns = points_in_node;
+  return std::make_shared<const RangeData>(scan);
+}
 
 /// A furnished room of 6 m x 5 m, mapped from three places. The frames of the room and of the
 /// submap are the same; its lower left corner is at (-1 m, -2 m).

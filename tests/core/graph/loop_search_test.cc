@@ -39,12 +39,6 @@ LoopCandidate Candidate(int submap, int node, double min_score) {
   return candidate;
 }
 
-std::shared_ptr<const RangeData> ScanOf(const PointCloud& points) {
-  RangeData scan;
-  scan.returns = points;
-  return std::make_shared<const RangeData>(scan);
-}
-
 class LoopSearchInARoom : public ::testing::Test {
  protected:
   LoopCandidate Search(const LoopCandidate& candidate, SearchTrace* trace = nullptr) const {

@@ -42,11 +42,7 @@ class ReturnToARoom {
   }
 
   void AddNode(const Pose2& local_from_node, const PointCloud& points, int submap) {
-    RangeData scan;
-    scan.returns = points;
-    graph_.AddNode({local_from_node, std::nullopt, SubmapId{submap}, 1,
-                    std::make_shared<const RangeData>(scan)},
-                   kStep);
+    graph_.AddNode({local_from_node, std::nullopt, SubmapId{submap}, 1, ScanOf(points)}, kStep);
   }
 
   PoseGraph& graph() { return graph_; }

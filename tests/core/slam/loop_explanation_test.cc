@@ -57,25 +57,28 @@ TEST(ExplainLoop, EndsWithTheScoreWhereItWasTooLow) {
   EXPECT_EQ(explanation.checks.back().expected, "more than 0.850");
 }
 
+/// Maps the small loop, and tells which check failed of the first pair with this verdict.
+LoopCheck FailedCheck(const Options& options, Verdict verdict) {
+  const LoopExplanation explanation =
+      ExplainFirstWith(MapLog(SimulateSmallLoop().log, options), verdict);
+  EXPECT_FALSE(explanation.closed);
+  EXPECT_FALSE(explanation.checks.back().passed);
+  return explanation.checks.back();
+}
+
 TEST(ExplainLoop, NamesTheMissingSupporters) {
   Options options = SmallLoopOptions();
   options.pose_graph.constraint_builder.consistency.min_num_supporters = 1000;
-  const Recording recording = MapLog(SimulateSmallLoop().log, options);
-  const LoopExplanation explanation = ExplainFirstWith(recording, Verdict::kInconsistent);
-  EXPECT_FALSE(explanation.closed);
-  EXPECT_EQ(explanation.checks.back().expected, "at least 1000");
+  EXPECT_EQ(FailedCheck(options, Verdict::kInconsistent).expected, "at least 1000");
 }
 
 TEST(ExplainLoop, TellsHowManyReturnsLieOnWallsFromBehind) {
   Options options = SmallLoopOptions();
   options.pose_graph.constraint_builder.wall_sides.max_share_from_behind = 0.0;
   options.pose_graph.constraint_builder.consistency.min_num_supporters = 0;
-  const Recording recording = MapLog(SimulateSmallLoop().log, options);
-  const LoopExplanation explanation = ExplainFirstWith(recording, Verdict::kFromBehind);
-  EXPECT_FALSE(explanation.closed);
-  EXPECT_THAT(explanation.checks.back().what, HasSubstr("walls"));
-  EXPECT_EQ(explanation.checks.back().expected, "at most 0 %");
-  EXPECT_FALSE(explanation.checks.back().passed);
+  const LoopCheck check = FailedCheck(options, Verdict::kFromBehind);
+  EXPECT_THAT(check.what, HasSubstr("walls"));
+  EXPECT_EQ(check.expected, "at most 0 %");
 }
 
 TEST(ExplainLoop, TellsThatTheWinnerLiesAtTheBorder) {
@@ -84,12 +87,9 @@ TEST(ExplainLoop, TellsThatTheWinnerLiesAtTheBorder) {
   options.pose_graph.constraint_builder.ambiguity.max_relative_score = 1.0;
   options.pose_graph.constraint_builder.fast_correlative_scan_matcher.linear_search_window = 0.06;
   options.pose_graph.constraint_builder.linear_search_window_per_meter = 0.0;
-  const Recording recording = MapLog(SimulateSmallLoop().log, options);
-  const LoopExplanation explanation = ExplainFirstWith(recording, Verdict::kAmbiguous);
-  EXPECT_FALSE(explanation.closed);
-  EXPECT_THAT(explanation.checks.back().what, HasSubstr("border"));
-  EXPECT_EQ(explanation.checks.back().value, "yes");
-  EXPECT_FALSE(explanation.checks.back().passed);
+  const LoopCheck check = FailedCheck(options, Verdict::kAmbiguous);
+  EXPECT_THAT(check.what, HasSubstr("border"));
+  EXPECT_EQ(check.value, "yes");
 }
 
 TEST(ExplainLoop, TellsWhatAPairThatWasNotSampledWouldHaveScored) {
