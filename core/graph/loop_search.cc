@@ -9,8 +9,8 @@ namespace loopscope {
 
 namespace {
 
-/// Some ten megabytes each.
-constexpr int kMaxMatchers = 16;
+/// Larger ones make fewer grids, but keep the threads waiting for longer.
+constexpr std::size_t kBatchSize = 32;
 
 /// Of a pose far from the one found that scores nearly as well; 0 if there is none.
 double RivalScore(const LoopCandidate& found, const PointCloud& points_in_node,
@@ -90,9 +90,7 @@ Constraint ToConstraint(const LoopCandidate& accepted, const ConstraintBuilderOp
 }
 
 LoopSearch::LoopSearch(const ConstraintBuilderOptions& options, int num_threads)
-    : options_(options),
-      matchers_(kMaxMatchers, options.fast_correlative_scan_matcher.branch_and_bound_depth),
-      pool_(num_threads) {}
+    : options_(options), pool_(num_threads) {}
 
 LoopSearch::~LoopSearch() = default;
 
@@ -120,15 +118,31 @@ void LoopSearch::SearchAlso(const LoopCandidate& candidate,
 }
 
 void LoopSearch::Search(LoopCandidate* candidate, std::shared_ptr<const RangeData> scan_in_node) {
-  const SearchedSubmap* const submap = submaps_.at(candidate->submap).get();
-  pool_.Add([this, submap, candidate, scan = std::move(scan_in_node)] {
-    *candidate = SearchLoop(*candidate, *scan, submap->grid,
-                            *matchers_.Get(candidate->submap, submap->grid), options_);
+  std::vector<Pair>& batch = batches_[candidate->submap];
+  batch.push_back({candidate, std::move(scan_in_node)});
+  if (batch.size() == kBatchSize) Begin(std::exchange(batch, {}));
+}
+
+void LoopSearch::Begin(std::vector<Pair> batch) {
+  if (batch.empty()) return;
+  const SearchedSubmap* const submap = submaps_.at(batch.front().candidate->submap).get();
+  pool_.Add([this, submap, pairs = std::move(batch)] {
+    const BranchAndBoundMatcher matcher(
+        submap->grid, options_.fast_correlative_scan_matcher.branch_and_bound_depth);
+    for (const Pair& pair : pairs) {
+      *pair.candidate =
+          SearchLoop(*pair.candidate, *pair.scan_in_node, submap->grid, matcher, options_);
+    }
   });
 }
 
-std::vector<LoopCandidate> LoopSearch::Collect() {
+void LoopSearch::Wait() {
+  for (auto& [submap, batch] : std::exchange(batches_, {})) Begin(std::move(batch));
   pool_.Wait();
+}
+
+std::vector<LoopCandidate> LoopSearch::Collect() {
+  Wait();
   std::vector<LoopCandidate> candidates;
   candidates.reserve(pending_.size());
   for (const auto& candidate : std::exchange(pending_, {})) candidates.push_back(*candidate);

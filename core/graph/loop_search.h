@@ -8,10 +8,10 @@
 
 #include "core/graph/constraint.h"
 #include "core/graph/loop_candidate.h"
-#include "core/graph/matcher_cache.h"
 #include "core/graph/pose_graph_options.h"
 #include "core/graph/task_pool.h"
 #include "core/grid/probability_grid.h"
+#include "core/matching/branch_and_bound.h"
 
 namespace loopscope {
 
@@ -47,13 +47,20 @@ class LoopSearch {
 
   /// Searches the pair of `candidate` in any case. Its address must last until Wait.
   void Search(LoopCandidate* candidate, std::shared_ptr<const RangeData> scan_in_node);
-  void Wait() { pool_.Wait(); }
+  void Wait();
 
   /// Waits for the searches; the candidates considered since the last call, by submap and node.
   std::vector<LoopCandidate> Collect();
 
  private:
   struct SearchedSubmap;
+  struct Pair {
+    LoopCandidate* candidate;
+    std::shared_ptr<const RangeData> scan_in_node;
+  };
+
+  /// Hands searches in one submap to a thread.
+  void Begin(std::vector<Pair> batch);
 
   /// Whether it is the turn of a pair with `submap`: a share sampling_ratio of the calls says so,
   /// or less if `linear_search_window` [m] is wide.
@@ -62,7 +69,9 @@ class LoopSearch {
   ConstraintBuilderOptions options_;
   std::map<SubmapId, std::unique_ptr<SearchedSubmap>> submaps_;
   std::vector<std::unique_ptr<LoopCandidate>> pending_;
-  MatcherCache matchers_;
+  /// Searches that wait for more in the same submap: precomputed grids take more memory than all
+  /// else, so they are made for a batch and then dropped.
+  std::map<SubmapId, std::vector<Pair>> batches_;
   TaskPool pool_;
 };
 

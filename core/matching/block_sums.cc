@@ -23,81 +23,103 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// Sums of so many bytes fit into 16 bits.
 constexpr std::size_t kMaxSummands = 257;
 
-/// The sums of a row of blocks.
-#if HWY_TARGET == HWY_SCALAR
-class RowSums {
- public:
-  void Add(const std::uint8_t* entries) {
-    for (int k = 0; k < kBlocksPerSide; ++k) sums_[k] += entries[k];
-  }
-  void AddTo(std::int32_t* totals) const {
-    for (int k = 0; k < kBlocksPerSide; ++k) totals[k] += sums_[k];
-  }
-
- private:
-  std::int32_t sums_[kBlocksPerSide] = {};
-};
-#else
-class RowSums {
- public:
-  HWY_INLINE RowSums() : sums_(hn::Zero(Words())) {}
-  HWY_INLINE void Add(const std::uint8_t* entries) {
-    sums_ = hn::Add(sums_, hn::PromoteTo(Words(), hn::LoadU(Bytes(), entries)));
-  }
-  HWY_INLINE void AddTo(std::int32_t* totals) const {
-    HWY_ALIGN std::uint16_t sums[kBlocksPerSide];
-    hn::Store(sums_, Words(), sums);
-    for (int k = 0; k < kBlocksPerSide; ++k) totals[k] += sums[k];
-  }
-
- private:
-  using Bytes = hn::FixedTag<std::uint8_t, kBlocksPerSide>;
-  using Words = hn::FixedTag<std::uint16_t, kBlocksPerSide>;
-  hn::Vec<Words> sums_;
-};
-#endif
-
-template <int kNumRows>
-void SumSomeRows(const PrecomputedGrid& grid, const CellIndex* cells, std::size_t num_cells,
-                 CellIndex offset, BlockSums* totals) {
-  RowSums sums[kNumRows];
-  const int height = grid.height();
-  const int stride = grid.stride();
-  const std::ptrdiff_t row_step = static_cast<std::ptrdiff_t>(stride) * grid.row_length();
+/// Where the windows of 8 x 8 entries of `grid` begin that the blocks see of the cells; none for
+/// those that see only zeros. `places` has room for a vector more.
+std::size_t FindWindows(const PrecomputedGrid& grid, const CellIndex* cells, std::size_t num_cells,
+                        CellIndex offset, std::int32_t* places) {
   const CellIndex origin{offset.x - grid.box().min.x, offset.y - grid.box().min.y};
-  const int last_whole = grid.box().height - (kNumRows - 1) * stride;
-  for (std::size_t i = 0; i < num_cells; ++i) {
+  std::size_t num_windows = 0;
+  std::size_t i = 0;
+#if HWY_TARGET != HWY_SCALAR
+  const hn::ScalableTag<std::int32_t> ints;
+  const auto height = grid.height();
+  const auto last_phase = hn::Set(ints, grid.stride() - 1);
+  const auto outside = hn::Set(ints, -kBlocksPerSide);
+  for (; i + hn::Lanes(ints) <= num_cells; i += hn::Lanes(ints)) {
+    hn::Vec<decltype(ints)> x;
+    hn::Vec<decltype(ints)> y;
+    hn::LoadInterleaved2(ints, &cells[i].x, x, y);
+    x = hn::Add(x, hn::Set(ints, origin.x));
+    y = hn::Add(y, hn::Set(ints, origin.y));
+    const auto column = hn::ShiftRightSame(x, height);
+    const auto row = hn::ShiftRightSame(y, height);
+    const auto is_inside =
+        hn::And(hn::And(hn::Gt(column, outside), hn::Lt(column, hn::Set(ints, grid.num_columns()))),
+                hn::And(hn::Gt(row, outside), hn::Lt(row, hn::Set(ints, grid.num_rows()))));
+    const auto phase =
+        hn::Add(hn::ShiftLeftSame(hn::And(y, last_phase), height), hn::And(x, last_phase));
+    const auto strip = hn::Add(hn::Mul(phase, hn::Set(ints, grid.num_strips())),
+                               hn::Add(hn::ShiftRight<3>(column), hn::Set(ints, 1)));
+    const auto in_strip =
+        hn::Add(hn::Mul(hn::Sub(row, outside), hn::Set(ints, PrecomputedGrid::kStripWidth)),
+                hn::And(column, hn::Set(ints, PrecomputedGrid::kStripStep - 1)));
+    const auto place = hn::Add(hn::Mul(strip, hn::Set(ints, grid.strip_size())), in_strip);
+    num_windows += hn::CompressStore(place, is_inside, ints, places + num_windows);
+  }
+#endif
+  for (; i < num_cells; ++i) {
     const int x = cells[i].x + origin.x;
     const int y = cells[i].y + origin.y;
-    const int k = x >> height;
-    if (k <= -kBlocksPerSide || k >= grid.strip_length()) continue;
-    const int place = grid.strip_start(x & (stride - 1)) + k;
-    if (y >= 0 && y < last_whole) {
-      const std::uint8_t* entries = grid.row(y) + place;
-#pragma GCC unroll 8  // keeps the sums in registers
-      for (int j = 0; j < kNumRows; ++j) {
-        sums[j].Add(entries);
-        entries += row_step;
-      }
-      continue;
-    }
-#pragma GCC unroll 8
-    for (int j = 0; j < kNumRows; ++j) {
-      const int row = y + j * stride;
-      if (row >= 0 && row < grid.box().height) sums[j].Add(grid.row(row) + place);
-    }
+    const int column = x >> grid.height();
+    const int row = y >> grid.height();
+    if (column <= -kBlocksPerSide || column >= grid.num_columns()) continue;
+    if (row <= -kBlocksPerSide || row >= grid.num_rows()) continue;
+    places[num_windows++] = static_cast<std::int32_t>(
+        grid.PlaceOf(x & (grid.stride() - 1), y & (grid.stride() - 1), column, row));
   }
-#pragma GCC unroll 8
-  for (int j = 0; j < kNumRows; ++j) sums[j].AddTo(totals->data() + j * kBlocksPerSide);
+  return num_windows;
 }
+
+#if HWY_TARGET == HWY_SCALAR
+constexpr int kVectorRows = 1;
+
+/// Adds a row of each window; windows begin so far after `bytes`.
+void SumRowsOfWindows(const std::uint8_t* bytes, const std::int32_t* windows,
+                      std::size_t num_windows, std::int32_t* sums) {
+  for (std::size_t i = 0; i < num_windows; ++i) {
+    for (int k = 0; k < kBlocksPerSide; ++k) sums[k] += bytes[windows[i] + k];
+  }
+}
+#else
+using WindowBytes = hn::CappedTag<std::uint8_t, 4 * PrecomputedGrid::kStripWidth>;
+constexpr int kVectorRows = hn::MaxLanes(WindowBytes()) / PrecomputedGrid::kStripWidth;
+
+/// Adds kVectorRows rows of each window, even and odd columns by themselves, in 16 bits. Windows
+/// begin so far after `bytes`.
+void SumRowsOfWindows(const std::uint8_t* bytes, const std::int32_t* windows,
+                      std::size_t num_windows, std::int32_t* sums) {
+  const hn::Repartition<std::uint16_t, WindowBytes> words;
+  const auto low_byte = hn::Set(words, 0xff);
+  auto even_sums = hn::Zero(words);
+  auto odd_sums = hn::Zero(words);
+  for (std::size_t i = 0; i < num_windows; ++i) {
+    const auto pairs = hn::BitCast(words, hn::LoadU(WindowBytes(), bytes + windows[i]));
+    even_sums = hn::Add(even_sums, hn::And(pairs, low_byte));
+    odd_sums = hn::Add(odd_sums, hn::ShiftRight<8>(pairs));
+  }
+  constexpr int kHalf = PrecomputedGrid::kStripWidth / 2;
+  HWY_ALIGN std::uint16_t even[kVectorRows * kHalf];
+  HWY_ALIGN std::uint16_t odd[kVectorRows * kHalf];
+  hn::Store(even_sums, words, even);
+  hn::Store(odd_sums, words, odd);
+  for (int k = 0; k < kVectorRows * kBlocksPerSide; k += 2) {
+    const int from = k / kBlocksPerSide * kHalf + k % kBlocksPerSide / 2;
+    sums[k] += even[from];
+    sums[k + 1] += odd[from];
+  }
+}
+#endif
 
 void SumBlocksHere(const PrecomputedGrid& grid, const CellIndex* cells, std::size_t num_cells,
                    CellIndex offset, int num_rows, BlockSums* totals) {
-  static constexpr decltype(&SumSomeRows<1>) kSumRows[kBlocksPerSide] = {
-      SumSomeRows<1>, SumSomeRows<2>, SumSomeRows<3>, SumSomeRows<4>,
-      SumSomeRows<5>, SumSomeRows<6>, SumSomeRows<7>, SumSomeRows<8>};
+  std::int32_t windows[kMaxSummands + HWY_MAX_BYTES / sizeof(std::int32_t)];
   for (std::size_t i = 0; i < num_cells; i += kMaxSummands) {
-    kSumRows[num_rows - 1](grid, cells + i, std::min(kMaxSummands, num_cells - i), offset, totals);
+    const std::size_t num_windows =
+        FindWindows(grid, cells + i, std::min(kMaxSummands, num_cells - i), offset, windows);
+    for (int row = 0; row < num_rows; row += kVectorRows) {
+      SumRowsOfWindows(grid.bytes() + row * PrecomputedGrid::kStripWidth, windows, num_windows,
+                       totals->data() + row * kBlocksPerSide);
+    }
   }
 }
 
@@ -145,7 +167,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace loopscope {
 
-static_assert(PrecomputedGrid::kMargin >= kBlocksPerSide, "loads may begin so far outside");
+static_assert(PrecomputedGrid::kStripStep == kBlocksPerSide, "a strip holds the row of any window");
 
 HWY_EXPORT(SumBlocksHere);
 HWY_EXPORT(SumRowsHere);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
+#include <limits>
 
 #include "core/matching/block_sums.h"
 
@@ -36,53 +38,76 @@ CellBox Lower(const CellBox& box, int height) {
   return {{box.min.x - reach, box.min.y - reach}, box.width + reach, box.height + reach};
 }
 
+/// Loads of whole vectors may read beyond the last entry.
+constexpr int kSlack = 256;
+
 }  // namespace
 
 PrecomputedGrid::PrecomputedGrid(const CellBox& box, int height)
     : box_(box),
       height_(height),
-      strip_length_((box.width + stride() - 1) >> height),
-      row_length_(strip_start(stride())),
-      values_(static_cast<std::size_t>(row_length_) * box.height, 0) {}
+      num_columns_((box.width + stride() - 1) >> height),
+      num_rows_((box.height + stride() - 1) >> height),
+      num_strips_((num_columns_ + 2 * kStripStep - 1) / kStripStep),
+      values_(PlaceOf(0, stride(), 0, 0) + kSlack, 0) {
+  assert(values_.size() < std::numeric_limits<std::int32_t>::max());
+}
 
 PrecomputedGrid::PrecomputedGrid(const ProbabilityGrid& grid)
     : PrecomputedGrid(grid.KnownBox(), 0) {
   const ByteTable& bytes = Bytes();
+  std::vector<std::uint8_t> line(box_.width);
   for (int y = 0; y < box_.height; ++y) {
     const CellValue* from =
         grid.cells().data() + grid.box().FlatIndex({box_.min.x, box_.min.y + y});
-    std::uint8_t* to = mutable_row(y) + strip_start(0);
-    for (int x = 0; x < box_.width; ++x) to[x] = bytes[from[x]];
+    for (int x = 0; x < box_.width; ++x) line[x] = bytes[from[x]];
+    SetRow(y, line);
   }
 }
 
 PrecomputedGrid::PrecomputedGrid(const PrecomputedGrid& finest, int height)
     : PrecomputedGrid(Lower(finest.box(), height), height) {
   const int reach = stride() - 1;
-  const int width = finest.box().width;
   // Maxima of `stride` rows, by doubling: of 1, of 2, of 4, ... Below the low border stand zeros.
+  const int width = box_.width;
   const int num_rows = box_.height;
-  std::vector<std::uint8_t> columns(static_cast<std::size_t>(num_rows + reach) * width, 0);
+  std::vector<std::uint8_t> maxima(static_cast<std::size_t>(num_rows + reach) * width, 0);
   for (int y = 0; y < finest.box().height; ++y) {
-    std::copy_n(finest.row(y) + finest.strip_start(0), width,
-                columns.data() + static_cast<std::size_t>(y + reach) * width);
+    std::uint8_t* to = maxima.data() + static_cast<std::size_t>(y + reach) * width + reach;
+    for (int x = 0; x < finest.box().width; x += kStripStep) {
+      std::copy_n(finest.bytes() + finest.PlaceOf(0, 0, x, y),
+                  std::min<int>(kStripStep, finest.box().width - x), to + x);
+    }
   }
   for (int half = 1; half < stride(); half *= 2) {
-    MaximaOfShifted(columns.data(), static_cast<std::size_t>(half) * width,
+    MaximaOfShifted(maxima.data(), static_cast<std::size_t>(half) * width,
                     static_cast<std::size_t>(num_rows + reach - half) * width);
   }
-  // The same along each row, whose entries then go to their strips.
-  const int padded_width = strip_length_ * stride();
+  // The same along each row.
   std::vector<std::uint8_t> line;
   for (int y = 0; y < num_rows; ++y) {
-    line.assign(padded_width + reach, 0);
-    std::copy_n(columns.data() + static_cast<std::size_t>(y) * width, width, line.data() + reach);
+    line.assign(width + reach, 0);
+    std::copy_n(maxima.data() + static_cast<std::size_t>(y) * width, width, line.data());
     for (int half = 1; half < stride(); half *= 2) {
       MaximaOfShifted(line.data(), half, line.size() - half);
     }
-    for (int p = 0; p < stride(); ++p) {
-      std::uint8_t* strip = mutable_row(y) + strip_start(p);
-      for (int k = 0; k < strip_length_; ++k) strip[k] = line[(k << height_) + p];
+    line.resize(width);
+    SetRow(y, line);
+  }
+}
+
+void PrecomputedGrid::SetRow(int y, const std::vector<std::uint8_t>& line) {
+  const int row = y >> height_;
+  const int width = static_cast<int>(line.size());
+  std::vector<std::uint8_t> padded((num_strips_ + 1) * kStripStep);
+  for (int p = 0; p < stride(); ++p) {
+    for (int column = 0; column < num_columns_; ++column) {
+      const int x = (column << height_) + p;
+      padded[kStripStep + column] = x < width ? line[x] : 0;
+    }
+    std::uint8_t* to = values_.data() + PlaceOf(p, y & (stride() - 1), -kStripStep, row);
+    for (int strip = 0; strip < num_strips_; ++strip, to += strip_size()) {
+      std::copy_n(padded.data() + strip * kStripStep, kStripWidth, to);
     }
   }
 }

@@ -14,13 +14,15 @@ namespace loopscope {
 /// M_precomp^h of eq. 17: entry (x, y) is the maximum of M_nearest over the 2^h x 2^h cells that
 /// begin at (x, y), in 8 bits: 0 is kMinProbability (also where unknown), 255 is kMaxProbability.
 ///
-/// Entries that are 2^h apart in x lie side by side in memory, so that the blocks of a row of the
-/// search tree are one load (see SumBlocks): row y holds 2^h strips, strip p the entries of the
-/// columns p, p + 2^h, p + 2 * 2^h, ...
+/// Entries that are 2^h apart, in x and in y, make an image of their own, a phase; 4^h of them make
+/// the grid. An image is stored in strips of 16 columns, each of which shares 8 with the next, one
+/// row of 16 bytes after the other, with rows of zeros in between. So the 8 x 8 blocks of a square
+/// of the search tree, wherever it begins, lie in 128 bytes in a row: two or three cache lines, see
+/// SumBlocks.
 class PrecomputedGrid {
  public:
-  /// Zeros before and after each strip: a load of so many entries may begin this far outside.
-  static constexpr int kMargin = 8;
+  static constexpr int kStripWidth = 16;
+  static constexpr int kStripStep = 8;
 
   /// Height 0.
   explicit PrecomputedGrid(const ProbabilityGrid& grid);
@@ -35,30 +37,39 @@ class PrecomputedGrid {
   std::uint8_t value(CellIndex cell) const {
     if (!box_.Contains(cell)) return 0;
     const int x = cell.x - box_.min.x;
-    return row(cell.y - box_.min.y)[strip_start(x & (stride() - 1)) + (x >> height_)];
+    const int y = cell.y - box_.min.y;
+    return bytes()[PlaceOf(x & (stride() - 1), y & (stride() - 1), x >> height_, y >> height_)];
   }
 
   /// 2^h [cells].
   int stride() const { return 1 << height_; }
-  int strip_length() const { return strip_length_; }
-  /// Where strip `p` begins in a row.
-  int strip_start(int p) const { return kMargin + p * (strip_length_ + kMargin); }
-  /// Row `y` counts from the low border of the box.
-  const std::uint8_t* row(int y) const {
-    return values_.data() + static_cast<std::size_t>(y) * row_length_;
+  /// Of a phase; some of its entries may lie outside of the box, and are 0.
+  int num_columns() const { return num_columns_; }
+  int num_rows() const { return num_rows_; }
+  int num_strips() const { return num_strips_; }
+  /// From one strip to the next.
+  int strip_size() const { return (num_rows_ + kStripStep) * kStripWidth; }
+
+  /// Of all images. The first of a window of kStripStep rows and columns, whose rows are
+  /// kStripWidth apart, is at PlaceOf; it may begin less than kStripStep outside of its phase.
+  const std::uint8_t* bytes() const { return values_.data(); }
+  std::ptrdiff_t PlaceOf(int x_phase, int y_phase, int column, int row) const {
+    // Strip 0 begins at column -kStripStep; so many rows of zeros stand before each.
+    const std::ptrdiff_t phase = (static_cast<std::ptrdiff_t>(y_phase) << height_) + x_phase;
+    return (phase * num_strips_ + (column >> 3) + 1) * strip_size() +
+           (row + kStripStep) * kStripWidth + (column & (kStripStep - 1));
   }
-  int row_length() const { return row_length_; }
 
  private:
   PrecomputedGrid(const CellBox& box, int height);
-  std::uint8_t* mutable_row(int y) {
-    return values_.data() + static_cast<std::size_t>(y) * row_length_;
-  }
+  /// Sets row `y` of the box, from so many bytes as it is wide and then zeros.
+  void SetRow(int y, const std::vector<std::uint8_t>& line);
 
   CellBox box_;
   int height_;
-  int strip_length_;
-  int row_length_;
+  int num_columns_;
+  int num_rows_;
+  int num_strips_;
   std::vector<std::uint8_t> values_;
 };
 

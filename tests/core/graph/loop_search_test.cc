@@ -165,6 +165,24 @@ TEST_F(LoopSearchInARoom, FindsTheSameInTheSameOrderOnAnyNumberOfThreads) {
   }
 }
 
+TEST_F(LoopSearchInARoom, FindsTheSameInABatchAsAlone) {
+  LoopSearch search(Options(), 2);
+  search.AddSubmap(SubmapId{0}, room_.grid());
+  constexpr int kNumPairs = 70;  // more than two batches
+  for (int node = 0; node < kNumPairs; ++node) {
+    search.SearchAlso(Candidate(0, node, node % 2 == 0 ? 0.3 : 0.9), ScanOf(points_));
+  }
+  const std::vector<LoopCandidate> found = search.Collect();
+  ASSERT_EQ(found.size(), static_cast<std::size_t>(kNumPairs));
+  const LoopCandidate accepted = Search(Candidate(0, 0, 0.3));
+  for (int node = 0; node < kNumPairs; ++node) {
+    EXPECT_EQ(found[node].node, NodeId{node});
+    const bool is_accepted = found[node].verdict == Verdict::kAccepted;
+    EXPECT_EQ(is_accepted, node % 2 == 0);
+    EXPECT_EQ(found[node].submap_from_node == accepted.submap_from_node, is_accepted);
+  }
+}
+
 TEST_F(LoopSearchInARoom, GivesEveryCandidateOnce) {
   LoopSearch search(Options(), 2);
   search.AddSubmap(SubmapId{0}, room_.grid());
