@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
+#include <queue>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -19,8 +22,21 @@ namespace {
 /// than one, see SumBlocks. These are the nodes of the paper's tree at every third height.
 constexpr int kHeightsPerBranch = 3;
 static_assert(1 << kHeightsPerBranch == kBlocksPerSide);
-/// Of the start nodes at an angle, unless they are leaves. More of them have tighter bounds.
-constexpr int kMaxStartBlocksPerSide = 12;
+
+/// Of start nodes that get a bound together, before each has its own.
+constexpr int kAnglesPerSector = PrecomputedGrid::kSweep;
+constexpr int kRowsPerSector = 4;
+static_assert(kBlocksPerSide % kRowsPerSector == 0);
+
+/// Neighbouring rows of one square of start nodes, at neighbouring angles.
+struct Sector {
+  CellIndex first;  ///< where the rows begin
+  int first_angle = 0;
+  int last_angle = 0;
+  int bound = 0;  ///< of all sums in it
+
+  friend bool operator<(const Sector& a, const Sector& b) { return a.bound < b.bound; }
+};
 
 /// A node c of eqs. 11 and 12 with its bound.
 struct Block {
@@ -29,6 +45,12 @@ struct Block {
   int height = 0;
   int sum = 0;  ///< of 8-bit values, the bound of eq. 16
   int trace_index = -1;
+
+  /// Of start nodes: the first to be branched is the greatest.
+  friend bool operator<(const Block& a, const Block& b) {
+    return std::tuple(a.sum, -a.angle_index, -a.offset.y, -a.offset.x) <
+           std::tuple(b.sum, -b.angle_index, -b.offset.y, -b.offset.x);
+  }
 };
 
 /// Offsets of a window that are not of interest.
@@ -53,19 +75,22 @@ class Search {
          SearchTrace* trace)
       : grids_(grids),
         window_(window),
+        points_(points),
         num_points_(static_cast<int>(points.size())),
-        trace_(trace) {
-    for (int angle = -window.num_angular_steps; angle <= window.num_angular_steps; ++angle) {
-      cells_at_angle_.push_back(CellsAtAngle(window, points, angle));
-    }
+        trace_(trace),
+        cells_at_angle_(2 * window.num_angular_steps + 1) {
     if (trace_ != nullptr) *trace_ = SearchTrace{window, {}, {}, -1};
   }
 
   SearchOutcome Run(double min_score) {
     SetMinScore(min_score);
-    const std::vector<Block> start_blocks = StartBlocks();
-    DepthFirst(start_blocks);
-    if (!winner_) return {std::nullopt, ResultOf(DescendToLeaf()), ScoreOf(pruned_sum_)};
+    MakeSectors();
+    while (const std::optional<Block> block = NextStartBlock()) Branch(*block);
+    if (trace_ != nullptr) PruneRest();
+    if (!winner_) {
+      OpenSectorsDownTo(pruned_sum_);
+      return {std::nullopt, ResultOf(DescendToLeaf()), ScoreOf(pruned_sum_)};
+    }
     if (trace_ != nullptr) trace_->winner = winner_->trace_index;
     const SearchResult result = ResultOf(*winner_);
     return {result, result, result.score};
@@ -74,57 +99,110 @@ class Search {
   /// Any leaf outside of `excluded` that scores more than `min_score`.
   std::optional<SearchResult> RunOutside(const Disc& excluded, double min_score) {
     SetMinScore(min_score);
-    const std::optional<Block> found = FirstLeafOutside(StartBlocks(), excluded);
-    if (!found) return std::nullopt;
-    return ResultOf(*found);
+    MakeSectors();
+    while (const std::optional<Block> block = NextStartBlock()) {
+      const std::optional<Block> found = FirstLeafOutside({*block}, excluded);
+      if (found) return ResultOf(*found);
+    }
+    return std::nullopt;
   }
 
  private:
-  /// C_0 of eq. 13, best bound first.
-  std::vector<Block> StartBlocks() {
+  /// All start nodes C_0 (eq. 13), some angles at a time. A trace wants each by itself.
+  void MakeSectors() {
     const int w = window_.num_linear_steps;
-    const int height = StartHeight();
-    const int step = kBlocksPerSide << height;
-    std::vector<Block> blocks;
-    for (int angle = -window_.num_angular_steps; angle <= window_.num_angular_steps; ++angle) {
+    start_height_ = StartHeight();
+    const bool have_bounds = trace_ == nullptr && start_height_ >= kHeightsPerBranch;
+    const int step = kBlocksPerSide << start_height_;
+    for (int angle = -window_.num_angular_steps; angle <= window_.num_angular_steps;
+         angle += kAnglesPerSector) {
+      const int last_angle = std::min(angle + kAnglesPerSector - 1, window_.num_angular_steps);
+      const std::vector<CellIndex> cells =
+          have_bounds ? LowestCells(window_, points_, angle, last_angle) : std::vector<CellIndex>();
       for (int y = -w; y <= w; y += step) {
         for (int x = -w; x <= w; x += step) {
-          ScoreSquare({x, y}, {w, w}, angle, height, -1, &blocks);
+          AddSectors({{x, y}, angle, last_angle, std::numeric_limits<int>::max()}, cells);
         }
       }
     }
-    SortByBound(&blocks);
-    return blocks;
   }
 
-  /// The lowest with few enough blocks.
-  int StartHeight() const {
-    const int last = 2 * window_.num_linear_steps;
-    int height = 0;
-    while (height + kHeightsPerBranch <= grids_.max_height() &&
-           last >> height >= (height == 0 ? kBlocksPerSide : kMaxStartBlocksPerSide)) {
-      height += kHeightsPerBranch;
+  /// Splits a square of start nodes into sectors; with bounds, if the LowestCells at its angles are
+  /// given.
+  void AddSectors(Sector square, const std::vector<CellIndex>& cells) {
+    const int num_rows = NumRows(square.first.y, window_.num_linear_steps, start_height_);
+    BlockSums sums;
+    if (!cells.empty()) {
+      sums = SumBlocks(grids_.swept_at_height(start_height_), cells, square.first, num_rows);
     }
-    return height;
+    for (int j = 0; j < num_rows; j += kRowsPerSector) {
+      Sector sector = square;
+      sector.first.y += j << start_height_;
+      if (!cells.empty()) {
+        const int end = std::min(j + kRowsPerSector, num_rows);
+        sector.bound = *std::max_element(sums.begin() + j * kBlocksPerSide,
+                                         sums.begin() + end * kBlocksPerSide);
+      }
+      sectors_.push(sector);
+    }
   }
 
-  /// Branches (eq. 14) those of `blocks` whose bound beats the best score. They come best first, so
-  /// that all are done with the first that does not.
-  void DepthFirst(const std::vector<Block>& blocks) {
-    for (const Block& block : blocks) {
-      if (block.sum <= best_sum_) {
-        Decide(block, SearchFate::kPruned);
-        continue;
+  /// The start node with the highest bound, if that beats the best score.
+  std::optional<Block> NextStartBlock() {
+    OpenSectorsDownTo(start_blocks_.empty() ? best_sum_ + 1
+                                            : std::max(best_sum_ + 1, start_blocks_.top().sum));
+    if (start_blocks_.empty() || start_blocks_.top().sum <= best_sum_) return std::nullopt;
+    const Block block = start_blocks_.top();
+    start_blocks_.pop();
+    return block;
+  }
+
+  /// Gives those start nodes bounds of their own that are in sectors with at least `min_bound`, and
+  /// then in those with at least the bound of what was found in these.
+  void OpenSectorsDownTo(int min_bound) {
+    const int w = window_.num_linear_steps;
+    std::vector<Block> blocks;
+    while (!sectors_.empty() && sectors_.top().bound >= min_bound) {
+      const Sector sector = sectors_.top();
+      sectors_.pop();
+      const int last_y = sector.first.y + (kRowsPerSector << start_height_) - 1;
+      for (int angle = sector.first_angle; angle <= sector.last_angle; ++angle) {
+        blocks.clear();
+        ScoreSquare(sector.first, {w, std::min(w, last_y)}, angle, start_height_, -1, &blocks);
+        for (const Block& block : blocks) start_blocks_.push(block);
       }
-      if (block.height == 0) {
-        Decide(block, SearchFate::kImproved);
-        best_sum_ = block.sum;
-        best_score_ = ScoreOf(block.sum);
-        winner_ = block;
-        continue;
+      if (!start_blocks_.empty()) min_bound = std::max(min_bound, start_blocks_.top().sum);
+    }
+  }
+
+  /// Where bounds begin to tell places apart. Higher ones are nearly always as high as can be.
+  int StartHeight() const {
+    const bool is_one_square = 2 * window_.num_linear_steps < kBlocksPerSide;
+    return is_one_square || grids_.max_height() < kHeightsPerBranch ? 0 : kHeightsPerBranch;
+  }
+
+  /// Branches (eq. 14) a node whose bound beats the best score, and its children, best first.
+  void Branch(const Block& block) {
+    if (block.height == 0) {
+      Decide(block, SearchFate::kImproved);
+      best_sum_ = block.sum;
+      best_score_ = ScoreOf(block.sum);
+      winner_ = block;
+      return;
+    }
+    Decide(block, SearchFate::kExpanded);
+    for (const Block& child : Children(block)) {
+      if (child.sum > best_sum_) {
+        Branch(child);
+      } else {
+        Decide(child, SearchFate::kPruned);
       }
-      Decide(block, SearchFate::kExpanded);
-      DepthFirst(Children(block));
+    }
+  }
+
+  void PruneRest() {
+    for (; !start_blocks_.empty(); start_blocks_.pop()) {
+      Decide(start_blocks_.top(), SearchFate::kPruned);
     }
   }
 
@@ -153,23 +231,38 @@ class Search {
   /// for a trace, those that do not beat the best score are left out.
   void ScoreSquare(CellIndex first, CellIndex last, int angle_index, int height, int parent,
                    std::vector<Block>* blocks) {
-    const int num_rows = std::min(kBlocksPerSide, ((last.y - first.y) >> height) + 1);
+    const int num_rows = NumRows(first.y, last.y, height);
+    const int num_columns = NumRows(first.x, last.x, height);
     const BlockSums sums =
-        SumBlocks(grids_.at_height(height),
-                  cells_at_angle_[angle_index + window_.num_angular_steps], first, num_rows);
+        SumBlocks(grids_.at_height(height), CellsAt(angle_index), first, num_rows);
     for (int j = 0; j < num_rows; ++j) {
+      const int* const row = sums.data() + j * kBlocksPerSide;
+      const int max_sum = *std::max_element(row, row + num_columns);
+      if (trace_ == nullptr && max_sum <= best_sum_ && max_sum < best_start_.sum) {
+        pruned_sum_ = std::max(pruned_sum_, max_sum);
+        continue;
+      }
       const int y = first.y + (j << height);
-      for (int i = 0; i < kBlocksPerSide; ++i) {
-        const int x = first.x + (i << height);
-        if (x > last.x) break;
-        Add({{x, y}, angle_index, height, sums[j * kBlocksPerSide + i], -1}, parent, blocks);
+      for (int i = 0; i < num_columns; ++i) {
+        Add({{first.x + (i << height), y}, angle_index, height, row[i], -1}, parent, blocks);
       }
     }
   }
 
+  /// Of a square from `first_y` on, as far as they begin at `last_y` or before.
+  static int NumRows(int first_y, int last_y, int height) {
+    return std::min(kBlocksPerSide, ((last_y - first_y) >> height) + 1);
+  }
+
+  const std::vector<CellIndex>& CellsAt(int angle_index) {
+    std::vector<CellIndex>& cells = cells_at_angle_[angle_index + window_.num_angular_steps];
+    if (cells.empty()) cells = CellsAtAngle(window_, points_, angle_index);
+    return cells;
+  }
+
   void Add(Block block, int parent, std::vector<Block>* blocks) {
     if (block.sum <= best_sum_) pruned_sum_ = std::max(pruned_sum_, block.sum);
-    if (block.sum > best_start_.sum) best_start_ = block;  // no child's bound is higher
+    if (best_start_ < block) best_start_ = block;
     if (trace_ != nullptr) {
       block.trace_index = static_cast<int>(trace_->nodes.size());
       trace_->nodes.push_back({parent, block.height, block.offset, block.angle_index,
@@ -220,10 +313,14 @@ class Search {
 
   const PrecomputedGrids& grids_;
   const SearchWindow& window_;
+  const PointCloud& points_;
   const int num_points_;
   SearchTrace* trace_;
-  std::vector<std::vector<CellIndex>> cells_at_angle_;
-  Block best_start_{{}, 0, 0, -1, -1};  ///< the start node with the highest bound
+  std::vector<std::vector<CellIndex>> cells_at_angle_;  ///< empty until they are needed
+  int start_height_ = 0;
+  std::priority_queue<Sector> sectors_;      ///< whose start nodes have no bounds of their own yet
+  std::priority_queue<Block> start_blocks_;  ///< those that have
+  Block best_start_{{}, 0, 0, -1, -1};       ///< the start node with the highest bound
   int best_sum_ = -1;
   double best_score_ = 0.0;
   int pruned_sum_ = 0;  ///< the highest bound that was not followed

@@ -31,9 +31,8 @@ const ByteTable& Bytes() {
   return table;
 }
 
-/// The box of the blocks of 2^height cells that reach into `box`.
-CellBox Lower(const CellBox& box, int height) {
-  const int reach = (1 << height) - 1;
+/// The box of the squares of 1 + `reach` cells that reach into `box`.
+CellBox Lower(const CellBox& box, int reach) {
   if (box.empty()) return box;
   return {{box.min.x - reach, box.min.y - reach}, box.width + reach, box.height + reach};
 }
@@ -65,10 +64,14 @@ PrecomputedGrid::PrecomputedGrid(const ProbabilityGrid& grid)
   }
 }
 
-PrecomputedGrid::PrecomputedGrid(const PrecomputedGrid& finest, int height)
-    : PrecomputedGrid(Lower(finest.box(), height), height) {
-  const int reach = stride() - 1;
-  // Maxima of `stride` rows, by doubling: of 1, of 2, of 4, ... Below the low border stand zeros.
+PrecomputedGrid::PrecomputedGrid(const PrecomputedGrid& finest, int height, int sweep)
+    : PrecomputedGrid(Lower(finest.box(), (1 << height) - 1 + sweep), height) {
+  assert(sweep <= stride());
+  const int reach = stride() - 1 + sweep;
+  std::vector<int> shifts;
+  for (int half = 1; half < stride(); half *= 2) shifts.push_back(half);
+  if (sweep > 0) shifts.push_back(sweep);
+  // Maxima of rows, by doubling: of 1, of 2, of 4, ... Below the low border stand zeros.
   const int width = box_.width;
   const int num_rows = box_.height;
   std::vector<std::uint8_t> maxima(static_cast<std::size_t>(num_rows + reach) * width, 0);
@@ -79,17 +82,17 @@ PrecomputedGrid::PrecomputedGrid(const PrecomputedGrid& finest, int height)
                   std::min<int>(kStripStep, finest.box().width - x), to + x);
     }
   }
-  for (int half = 1; half < stride(); half *= 2) {
-    MaximaOfShifted(maxima.data(), static_cast<std::size_t>(half) * width,
-                    static_cast<std::size_t>(num_rows + reach - half) * width);
+  for (const int shift : shifts) {
+    MaximaOfShifted(maxima.data(), static_cast<std::size_t>(shift) * width,
+                    static_cast<std::size_t>(num_rows + reach - shift) * width);
   }
   // The same along each row.
   std::vector<std::uint8_t> line;
   for (int y = 0; y < num_rows; ++y) {
     line.assign(width + reach, 0);
     std::copy_n(maxima.data() + static_cast<std::size_t>(y) * width, width, line.data());
-    for (int half = 1; half < stride(); half *= 2) {
-      MaximaOfShifted(line.data(), half, line.size() - half);
+    for (const int shift : shifts) {
+      MaximaOfShifted(line.data(), shift, line.size() - shift);
     }
     line.resize(width);
     SetRow(y, line);
@@ -113,14 +116,21 @@ void PrecomputedGrid::SetRow(int y, const std::vector<std::uint8_t>& line) {
 }
 
 PrecomputedGrids::PrecomputedGrids(const ProbabilityGrid& grid, int depth)
-    : resolution_(grid.resolution()), finest_(grid), coarser_(depth - 1) {}
+    : resolution_(grid.resolution()), finest_(grid), coarser_(depth - 1), swept_(depth - 1) {}
 
 const PrecomputedGrid& PrecomputedGrids::at_height(int height) const {
-  if (height == 0) return finest_;
-  Coarser& coarser = coarser_[height - 1];
-  std::call_once(coarser.made,
-                 [&] { coarser.grid = std::make_unique<const PrecomputedGrid>(finest_, height); });
-  return *coarser.grid;
+  return height == 0 ? finest_ : Made(&coarser_[height - 1], height, 0);
+}
+
+const PrecomputedGrid& PrecomputedGrids::swept_at_height(int height) const {
+  return Made(&swept_[height - 1], height, PrecomputedGrid::kSweep);
+}
+
+const PrecomputedGrid& PrecomputedGrids::Made(Coarser* coarser, int height, int sweep) const {
+  std::call_once(coarser->made, [&] {
+    coarser->grid = std::make_unique<const PrecomputedGrid>(finest_, height, sweep);
+  });
+  return *coarser->grid;
 }
 
 }  // namespace loopscope

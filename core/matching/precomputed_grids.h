@@ -23,14 +23,17 @@ class PrecomputedGrid {
  public:
   static constexpr int kStripWidth = 16;
   static constexpr int kStripStep = 8;
+  /// How far points are swept that are bounded at many angles at once [cells].
+  static constexpr int kSweep = 8;
 
   /// Height 0.
   explicit PrecomputedGrid(const ProbabilityGrid& grid);
-  /// Any height, from that of height 0.
-  PrecomputedGrid(const PrecomputedGrid& finest, int height);
+  /// Any height, from that of height 0. Entries are maxima over `sweep` cells more in x and in y;
+  /// at most 2^height.
+  PrecomputedGrid(const PrecomputedGrid& finest, int height, int sweep = 0);
 
   int height() const { return height_; }
-  /// All cells with an entry above 0; it reaches 2^h - 1 cells lower than the known cells.
+  /// All cells with an entry above 0; it reaches 2^h - 1 + sweep cells lower than the known cells.
   const CellBox& box() const { return box_; }
 
   /// 0 outside of the box.
@@ -73,8 +76,8 @@ class PrecomputedGrid {
   std::vector<std::uint8_t> values_;
 };
 
-/// One grid for each height 0 ... depth - 1, made when it is first asked for. May be used by
-/// several threads at once.
+/// One grid for each height 0 ... depth - 1, made when it is first asked for; each also with
+/// maxima over kSweep cells more. May be used by several threads at once.
 class PrecomputedGrids {
  public:
   PrecomputedGrids(const ProbabilityGrid& grid, int depth);
@@ -82,6 +85,8 @@ class PrecomputedGrids {
   double resolution() const { return resolution_; }
   int max_height() const { return static_cast<int>(coarser_.size()); }
   const PrecomputedGrid& at_height(int height) const;
+  /// Of heights from 3 on.
+  const PrecomputedGrid& swept_at_height(int height) const;
 
   /// The mean probability that `sum` of 8-bit values over `num_points` stands for.
   static double MeanProbability(int sum, int num_points) {
@@ -94,9 +99,12 @@ class PrecomputedGrids {
     std::unique_ptr<const PrecomputedGrid> grid;
   };
 
+  const PrecomputedGrid& Made(Coarser* coarser, int height, int sweep) const;
+
   double resolution_;
   PrecomputedGrid finest_;
   mutable std::vector<Coarser> coarser_;  ///< of heights 1, 2, ...
+  mutable std::vector<Coarser> swept_;
 };
 
 }  // namespace loopscope

@@ -53,13 +53,22 @@ namespace loopscope {
 
 HWY_EXPORT(CellsOfMovedHere);
 
-double AngularStep(const PointCloud& points_in_scan, double resolution) {
-  // A scan all of whose points are within a few cells has no use for larger steps.
-  double max_range = 3.0 * resolution;
+namespace {
+
+/// [m]
+double MaxRange(const PointCloud& points_in_scan) {
+  double max_range = 0.0;
   for (const Eigen::Vector2d& point : points_in_scan) {
     max_range = std::max(max_range, point.norm());
   }
-  const double ratio = resolution / max_range;
+  return max_range;
+}
+
+}  // namespace
+
+double AngularStep(const PointCloud& points_in_scan, double resolution) {
+  // A scan all of whose points are within a few cells has no use for larger steps.
+  const double ratio = resolution / std::max(3.0 * resolution, MaxRange(points_in_scan));
   return std::acos(1.0 - 0.5 * ratio * ratio);
 }
 
@@ -87,6 +96,21 @@ std::vector<CellIndex> CellsAtAngle(const SearchWindow& window, const PointCloud
   HWY_DYNAMIC_DISPATCH(CellsOfMovedHere)
   (points_in_scan.data(), points_in_scan.size(), submap_from_scan.RotationMatrix(),
    submap_from_scan.translation, window.resolution, cells.data());
+  return cells;
+}
+
+std::vector<CellIndex> LowestCells(const SearchWindow& window, const PointCloud& points_in_scan,
+                                   int first_angle, int last_angle) {
+  // Each point moves on an arc; no farther than this from the line between its ends.
+  const double half_turn = 0.5 * (last_angle - first_angle) * window.angular_step;
+  const double max_sagitta = MaxRange(points_in_scan) * (1.0 - std::cos(half_turn));
+  SearchWindow lower = window;
+  lower.submap_from_scan_guess.translation.array() -= max_sagitta + 1e-9;
+  std::vector<CellIndex> cells = CellsAtAngle(lower, points_in_scan, first_angle);
+  const std::vector<CellIndex> ends = CellsAtAngle(lower, points_in_scan, last_angle);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    cells[i] = {std::min(cells[i].x, ends[i].x), std::min(cells[i].y, ends[i].y)};
+  }
   return cells;
 }
 

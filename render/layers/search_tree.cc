@@ -39,10 +39,9 @@ Color FillOf(const SearchPart& part, int node, const BoundRange& range, const Pa
   return part.WasPruned(node) ? WithOpacity(color, kPrunedOpacity) : color;
 }
 
+/// A search begins with the highest nodes.
 int NumHeights(const SearchTrace& trace) {
-  int highest = 0;
-  for (const SearchNode& node : trace.nodes) highest = std::max(highest, node.height);
-  return highest + 1;
+  return trace.nodes.empty() ? 1 : trace.nodes.front().height + 1;
 }
 
 /// Of a field of AnglesLayer.

@@ -6,8 +6,10 @@
 
 #include <gmock/gmock.h>
 
+#include "core/matching/search_lattice.h"
 #include "core/sensor/voxel_filter.h"
 #include "tests/support/exhaustive_search.h"
+#include "tests/support/plain_branch_and_bound.h"
 #include "tests/support/pose_matchers.h"
 #include "tests/support/random_search.h"
 #include "tests/support/simulated_room.h"
@@ -71,6 +73,33 @@ TEST(BranchAndBound, IsTheSameWithAndWithoutATrace) {
       EXPECT_EQ(with.best_found.score, without.best_found.score);
       EXPECT_EQ(with.score_bound, without.score_bound);
     }
+  }
+}
+
+/// Windows of many squares, and many angles that are bounded together.
+TEST(BranchAndBound, IsTheSameInWideWindowsWithAndWithoutATrace) {
+  for (int seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const RandomWorld world = MakeRandomWorld(&random);
+    const BranchAndBoundMatcher matcher(world.grid, 7);
+    const Pose2 guess = world.submap_from_scan * Pose2(0.4, -0.7, 0.3);
+    double best_score = 0.0;
+    for (const double min_score : {0.0, 0.4, 0.6, 0.8, 0.89}) {
+      SearchTrace trace;
+      const auto with = matcher.Search(world.points_in_scan, guess, 2.0, 1.0, min_score, &trace);
+      const auto without = matcher.Search(world.points_in_scan, guess, 2.0, 1.0, min_score);
+      ASSERT_EQ(with.winner.has_value(), without.winner.has_value());
+      EXPECT_EQ(with.best_found.submap_from_scan, without.best_found.submap_from_scan);
+      EXPECT_EQ(with.best_found.score, without.best_found.score);
+      EXPECT_EQ(with.score_bound, without.score_bound);
+      if (min_score == 0.0) best_score = without.best_found.score;
+      EXPECT_EQ(without.winner.has_value(), best_score > min_score);
+    }
+    const PlainPrecomputedGrids plain_grids(world.grid, 7);
+    const SearchWindow window = MakeSearchWindow(world.points_in_scan, guess, 2.0, 1.0, 0.05);
+    EXPECT_EQ(PlainBranchAndBound(plain_grids, window, world.points_in_scan, 0.0)->score,
+              best_score);
   }
 }
 

@@ -13,11 +13,11 @@
 namespace loopscope {
 namespace {
 
-/// The oracle of eq. 17: looks at all cells of the block that begins at `low`.
-int MaximumOfBlock(const PrecomputedGrid& finest, CellIndex low, int height) {
+/// The oracle of eq. 17: looks at all cells of the block of `side` cells that begins at `low`.
+int MaximumOfBlock(const PrecomputedGrid& finest, CellIndex low, int side) {
   int maximum = 0;
-  for (int y = low.y; y < low.y + (1 << height); ++y) {
-    for (int x = low.x; x < low.x + (1 << height); ++x) {
+  for (int y = low.y; y < low.y + side; ++y) {
+    for (int x = low.x; x < low.x + side; ++x) {
       maximum = std::max<int>(maximum, finest.value({x, y}));
     }
   }
@@ -58,9 +58,25 @@ TEST(PrecomputedGrid, IsTheMaximumOfTheBlockThatBeginsAtTheCell) {
                         grid.box().height + 2 * margin};
       for (int y = box.min.y; y < box.min.y + box.height; y += 3) {
         for (int x = box.min.x; x < box.min.x + box.width; x += 2) {
-          ASSERT_EQ(grids.at_height(height).value({x, y}), MaximumOfBlock(finest, {x, y}, height))
+          ASSERT_EQ(grids.at_height(height).value({x, y}),
+                    MaximumOfBlock(finest, {x, y}, 1 << height))
               << "height " << height << " at (" << x << ", " << y << ")";
         }
+      }
+    }
+  }
+}
+
+TEST(PrecomputedGrid, LooksFartherByTheSweep) {
+  Random random(3);
+  const PrecomputedGrids grids(RandomGrid(&random), 5);
+  for (const int height : {3, 4}) {
+    const PrecomputedGrid& swept = grids.swept_at_height(height);
+    const int side = (1 << height) + PrecomputedGrid::kSweep;
+    const CellBox known = grids.at_height(0).box();
+    for (int y = known.min.y - side - 1; y <= known.min.y + known.height; ++y) {
+      for (int x = known.min.x - side - 1; x <= known.min.x + known.width; ++x) {
+        ASSERT_EQ(swept.value({x, y}), MaximumOfBlock(grids.at_height(0), {x, y}, side));
       }
     }
   }

@@ -73,5 +73,26 @@ TEST(CellsAtAngle, NeedOnlyBeShiftedForTheOtherPosesOfTheAngle) {
   }
 }
 
+TEST(LowestCells, BoundThePointsAtAllAnglesBetween) {
+  Random random(3);
+  for (int i = 0; i < 20; ++i) {
+    const RandomWorld world = MakeRandomWorld(&random);
+    const SearchWindow window =
+        MakeSearchWindow(world.points_in_scan, world.submap_from_scan, 0.3, M_PI, 0.05);
+    const int first = random.Below(window.num_angular_steps) - window.num_angular_steps / 2;
+    constexpr int kNumSteps = 7;
+    const auto lowest = LowestCells(window, world.points_in_scan, first, first + kNumSteps);
+    ASSERT_EQ(lowest.size(), world.points_in_scan.size());
+    for (int angle = first; angle <= first + kNumSteps; ++angle) {
+      const std::vector<CellIndex> cells = CellsAtAngle(window, world.points_in_scan, angle);
+      for (std::size_t k = 0; k < cells.size(); ++k) {
+        const CellIndex above{cells[k].x - lowest[k].x, cells[k].y - lowest[k].y};
+        EXPECT_GE(std::min(above.x, above.y), 0);
+        EXPECT_LE(std::max(above.x, above.y), kNumSteps + 1);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace loopscope
