@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -120,17 +119,22 @@ class LeastSquares {
 
   /// Tells the terms their couplings.
   BlockSystem MakeSystem() {
-    std::vector<BlockSystem::Coupling> couplings;
-    std::map<std::pair<int, int>, int> index_of;
+    std::vector<Term*> coupled;
     for (Term& term : terms_) {
-      if (term.i == kHeld) continue;
       assert(term.j > term.i);
-      const auto [entry, is_new] =
-          index_of.emplace(std::pair(term.j, term.i), static_cast<int>(couplings.size()));
-      if (is_new) couplings.push_back({term.j, term.i});
-      term.coupling = entry->second;
+      if (term.i != kHeld) coupled.push_back(&term);
     }
-    return BlockSystem(num_unknowns_, std::move(couplings), num_submaps_ - 1);
+    std::sort(coupled.begin(), coupled.end(), [](const Term* a, const Term* b) {
+      return std::pair(a->j, a->i) < std::pair(b->j, b->i);
+    });
+    std::vector<BlockSystem::Coupling> couplings;
+    for (Term* term : coupled) {
+      const bool is_new = couplings.empty() || couplings.back().row != term->j ||
+                          couplings.back().column != term->i;
+      if (is_new) couplings.push_back({term->j, term->i});
+      term->coupling = static_cast<int>(couplings.size()) - 1;
+    }
+    return BlockSystem(num_unknowns_, std::move(couplings));
   }
 
   static Eigen::Vector3d WeightedError(const Term& term, const Poses& poses) {

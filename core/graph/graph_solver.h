@@ -32,9 +32,8 @@ struct GraphSolution {
 GraphSolution Continued(const GraphSolution& first, GraphSolution next);
 
 /// (SPA): minimizes eq. 4 by Levenberg-Marquardt, with Huber loss on INTER_SUBMAP constraints, in
-/// at most `max_num_iterations`. Nodes are eliminated from each step first, as far as they are not
-/// tied to each other; Konolige et al., "Efficient Sparse Pose Adjustment for 2D Mapping",
-/// IROS 2010. One thread: sums keep their order.
+/// at most `max_num_iterations`; Konolige et al., "Efficient Sparse Pose Adjustment for 2D
+/// Mapping", IROS 2010. One thread: sums keep their order.
 GraphSolution SolveGraph(const GraphProblem& problem, const OptimizationProblemOptions& options,
                          int max_num_iterations);
 

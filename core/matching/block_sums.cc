@@ -161,6 +161,25 @@ void MaximaOfShiftedHere(std::uint8_t* values, std::size_t shift, std::size_t co
   for (; i < count; ++i) values[i] = std::max(values[i], values[i + shift]);
 }
 
+void SplitEvenOddHere(const std::uint8_t* values, std::size_t count, std::uint8_t* even,
+                      std::uint8_t* odd) {
+  std::size_t i = 0;
+#if HWY_TARGET != HWY_SCALAR
+  const hn::ScalableTag<std::uint8_t> bytes;
+  for (; i + hn::Lanes(bytes) <= count; i += hn::Lanes(bytes)) {
+    hn::Vec<decltype(bytes)> evens;
+    hn::Vec<decltype(bytes)> odds;
+    hn::LoadInterleaved2(bytes, values + 2 * i, evens, odds);
+    hn::StoreU(evens, bytes, even + i);
+    hn::StoreU(odds, bytes, odd + i);
+  }
+#endif
+  for (; i < count; ++i) {
+    even[i] = values[2 * i];
+    odd[i] = values[2 * i + 1];
+  }
+}
+
 }  // namespace loopscope::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -172,6 +191,7 @@ static_assert(PrecomputedGrid::kStripStep == kBlocksPerSide, "a strip holds the 
 HWY_EXPORT(SumBlocksHere);
 HWY_EXPORT(SumRowsHere);
 HWY_EXPORT(MaximaOfShiftedHere);
+HWY_EXPORT(SplitEvenOddHere);
 
 BlockSums SumBlocks(const PrecomputedGrid& grid, const std::vector<CellIndex>& cells,
                     CellIndex offset, int num_rows) {
@@ -209,6 +229,11 @@ std::vector<std::uint32_t> SumShifted(const ProbabilityGrid& grid,
 
 void MaximaOfShifted(std::uint8_t* values, std::size_t shift, std::size_t count) {
   HWY_DYNAMIC_DISPATCH(MaximaOfShiftedHere)(values, shift, count);
+}
+
+void SplitEvenOdd(const std::uint8_t* values, std::size_t count, std::uint8_t* even,
+                  std::uint8_t* odd) {
+  HWY_DYNAMIC_DISPATCH(SplitEvenOddHere)(values, count, even, odd);
 }
 
 }  // namespace loopscope

@@ -35,4 +35,8 @@ std::vector<std::uint32_t> SumShifted(const ProbabilityGrid& grid,
 /// values[i] = max(values[i], values[i + shift]) for i = 0 ... count - 1, in this order.
 void MaximaOfShifted(std::uint8_t* values, std::size_t shift, std::size_t count);
 
+/// even[i] = values[2 i], odd[i] = values[2 i + 1] for i = 0 ... count - 1.
+void SplitEvenOdd(const std::uint8_t* values, std::size_t count, std::uint8_t* even,
+                  std::uint8_t* odd);
+
 }  // namespace loopscope

@@ -37,6 +37,26 @@ CellBox Lower(const CellBox& box, int reach) {
   return {{box.min.x - reach, box.min.y - reach}, box.width + reach, box.height + reach};
 }
 
+/// Sorts a line by phase: first all entries whose column is 0 modulo 2^height, and so on, but
+/// phases in the order of their bits reversed.
+void SplitPhases(int height, std::vector<std::uint8_t>* line, std::vector<std::uint8_t>* buffer) {
+  buffer->resize(line->size());
+  for (int done = 0; done < height; ++done) {
+    const std::size_t length = line->size() >> done;
+    for (std::size_t begin = 0; begin < line->size(); begin += length) {
+      std::uint8_t* const to = buffer->data() + begin;
+      SplitEvenOdd(line->data() + begin, length / 2, to, to + length / 2);
+    }
+    line->swap(*buffer);
+  }
+}
+
+int ReversedBits(int value, int num_bits) {
+  int reversed = 0;
+  for (int i = 0; i < num_bits; ++i) reversed |= ((value >> i) & 1) << (num_bits - 1 - i);
+  return reversed;
+}
+
 /// Loads of whole vectors may read beyond the last entry.
 constexpr int kSlack = 256;
 
@@ -56,11 +76,12 @@ PrecomputedGrid::PrecomputedGrid(const ProbabilityGrid& grid)
     : PrecomputedGrid(grid.KnownBox(), 0) {
   const ByteTable& bytes = Bytes();
   std::vector<std::uint8_t> line(box_.width);
+  std::vector<std::uint8_t> buffer;
   for (int y = 0; y < box_.height; ++y) {
     const CellValue* from =
         grid.cells().data() + grid.box().FlatIndex({box_.min.x, box_.min.y + y});
     for (int x = 0; x < box_.width; ++x) line[x] = bytes[from[x]];
-    SetRow(y, line);
+    SetRow(y, &line, &buffer);
   }
 }
 
@@ -86,31 +107,33 @@ PrecomputedGrid::PrecomputedGrid(const PrecomputedGrid& finest, int height, int 
     MaximaOfShifted(maxima.data(), static_cast<std::size_t>(shift) * width,
                     static_cast<std::size_t>(num_rows + reach - shift) * width);
   }
-  // The same along each row.
+  // The same along each row. Those of a phase come one after the other.
   std::vector<std::uint8_t> line;
-  for (int y = 0; y < num_rows; ++y) {
-    line.assign(width + reach, 0);
-    std::copy_n(maxima.data() + static_cast<std::size_t>(y) * width, width, line.data());
-    for (const int shift : shifts) {
-      MaximaOfShifted(line.data(), shift, line.size() - shift);
+  std::vector<std::uint8_t> buffer;
+  for (int phase = 0; phase < stride(); ++phase) {
+    for (int y = phase; y < num_rows; y += stride()) {
+      line.assign(num_columns_ * stride() + reach, 0);
+      std::copy_n(maxima.data() + static_cast<std::size_t>(y) * width, width, line.data());
+      for (const int shift : shifts) {
+        MaximaOfShifted(line.data(), shift, line.size() - shift);
+      }
+      line.resize(num_columns_ * stride());
+      SetRow(y, &line, &buffer);
     }
-    line.resize(width);
-    SetRow(y, line);
   }
 }
 
-void PrecomputedGrid::SetRow(int y, const std::vector<std::uint8_t>& line) {
-  const int row = y >> height_;
-  const int width = static_cast<int>(line.size());
-  std::vector<std::uint8_t> padded((num_strips_ + 1) * kStripStep);
-  for (int p = 0; p < stride(); ++p) {
-    for (int column = 0; column < num_columns_; ++column) {
-      const int x = (column << height_) + p;
-      padded[kStripStep + column] = x < width ? line[x] : 0;
-    }
-    std::uint8_t* to = values_.data() + PlaceOf(p, y & (stride() - 1), -kStripStep, row);
+void PrecomputedGrid::SetRow(int y, std::vector<std::uint8_t>* line,
+                             std::vector<std::uint8_t>* buffer) {
+  SplitPhases(height_, line, buffer);
+  buffer->assign((num_strips_ + 1) * kStripStep, 0);
+  for (int i = 0; i < stride(); ++i) {
+    std::copy_n(line->data() + i * num_columns_, num_columns_, buffer->data() + kStripStep);
+    const int x_phase = ReversedBits(i, height_);
+    std::uint8_t* to =
+        values_.data() + PlaceOf(x_phase, y & (stride() - 1), -kStripStep, y >> height_);
     for (int strip = 0; strip < num_strips_; ++strip, to += strip_size()) {
-      std::copy_n(padded.data() + strip * kStripStep, kStripWidth, to);
+      std::copy_n(buffer->data() + strip * kStripStep, kStripWidth, to);
     }
   }
 }

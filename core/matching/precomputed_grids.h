@@ -65,8 +65,8 @@ class PrecomputedGrid {
 
  private:
   PrecomputedGrid(const CellBox& box, int height);
-  /// Sets row `y` of the box, from so many bytes as it is wide and then zeros.
-  void SetRow(int y, const std::vector<std::uint8_t>& line);
+  /// Sets row `y` of the box to `line`, num_columns() entries for each phase; needs a buffer.
+  void SetRow(int y, std::vector<std::uint8_t>* line, std::vector<std::uint8_t>* buffer);
 
   CellBox box_;
   int height_;

@@ -35,7 +35,7 @@ Systems MakeSystems(int seed) {
     for (int i = 0; i <= random.Below(3); ++i) couplings.push_back({leaf, (leaf + i) % kFirstLeaf});
   }
   couplings.push_back({kNumUnknowns - 1, kNumUnknowns - 2});
-  Systems systems{std::make_unique<BlockSystem>(kNumUnknowns, couplings, kFirstLeaf),
+  Systems systems{std::make_unique<BlockSystem>(kNumUnknowns, couplings),
                   Eigen::MatrixXd::Zero(3 * kNumUnknowns, 3 * kNumUnknowns)};
   for (std::size_t i = 0; i < couplings.size(); ++i) {
     const Eigen::Matrix3d block = RandomMatrix(&random);
