@@ -3,65 +3,211 @@
 #include "core/matching/bicubic_grid.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 
-namespace loopscope {
-namespace {
+// Highway compiles the functions between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE once for each
+// instruction set, and chooses when the program runs.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/matching/bicubic_grid.cc"
+#include <hwy/foreach_target.h>
+// Must come after it.
+#include <hwy/highway.h>
 
-/// Weights of the four neighbours -1, 0, 1, 2 at t in [0, 1) between 0 and 1.
-Eigen::Array4d CubicWeights(double t) {
-  const double t2 = t * t;
-  const double t3 = t2 * t;
-  return 0.5 * Eigen::Array4d(-t + 2.0 * t2 - t3, 2.0 - 5.0 * t2 + 3.0 * t3,
-                              t + 4.0 * t2 - 3.0 * t3, -t2 + t3);
+HWY_BEFORE_NAMESPACE();
+namespace loopscope::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Of four neighbours -1, 0, 1, 2: their weights at t in [0, 1) between 0 and 1, or the derivatives
+/// of these.
+template <typename Numbers>
+struct Weights {
+  hn::Vec<Numbers> of[4];
+};
+
+template <typename Numbers>
+HWY_INLINE Weights<Numbers> CubicWeights(Numbers numbers, hn::Vec<Numbers> t) {
+  const auto c = [numbers](double value) HWY_ATTR { return hn::Set(numbers, value); };
+  const auto half_t = hn::Mul(c(0.5), t);
+  const auto half_t2 = hn::Mul(half_t, t);
+  return {hn::Mul(half_t, hn::Sub(hn::Mul(t, hn::Sub(c(2.0), t)), c(1.0))),
+          hn::Add(c(1.0), hn::Mul(half_t2, hn::Sub(hn::Mul(c(3.0), t), c(5.0)))),
+          hn::Mul(half_t, hn::Add(c(1.0), hn::Mul(t, hn::Sub(c(4.0), hn::Mul(c(3.0), t))))),
+          hn::Mul(half_t2, hn::Sub(t, c(1.0)))};
 }
 
-Eigen::Array4d CubicWeightDerivatives(double t) {
-  const double t2 = t * t;
-  return 0.5 * Eigen::Array4d(-1.0 + 4.0 * t - 3.0 * t2, -10.0 * t + 9.0 * t2,
-                              1.0 + 8.0 * t - 9.0 * t2, -2.0 * t + 3.0 * t2);
+template <typename Numbers>
+HWY_INLINE Weights<Numbers> CubicSlopes(Numbers numbers, hn::Vec<Numbers> t) {
+  const auto c = [numbers](double value) HWY_ATTR { return hn::Set(numbers, value); };
+  const auto half_t = hn::Mul(c(0.5), t);
+  return {hn::Sub(hn::Mul(half_t, hn::Sub(c(4.0), hn::Mul(c(3.0), t))), c(0.5)),
+          hn::Mul(half_t, hn::Sub(hn::Mul(c(9.0), t), c(10.0))),
+          hn::Add(c(0.5), hn::Mul(half_t, hn::Sub(c(8.0), hn::Mul(c(9.0), t)))),
+          hn::Mul(half_t, hn::Sub(hn::Mul(c(3.0), t), c(2.0)))};
 }
 
-/// What StepsAboveMin says of four cells side by side.
-Eigen::Array4d RowOfFour(const CellValue* cells) {
-  return Eigen::Array4i(StepsAboveMin(cells[0]), StepsAboveMin(cells[1]), StepsAboveMin(cells[2]),
-                        StepsAboveMin(cells[3]))
-      .cast<double>();
+template <typename Numbers>
+HWY_INLINE hn::Vec<Numbers> Weighted(const hn::Vec<Numbers> (&values)[4],
+                                     const Weights<Numbers>& weights) {
+  return hn::Add(hn::Add(hn::Mul(values[0], weights.of[0]), hn::Mul(values[1], weights.of[1])),
+                 hn::Add(hn::Mul(values[2], weights.of[2]), hn::Mul(values[3], weights.of[3])));
 }
 
-/// Likewise of the cells x ... x + 3 of row y, which the grid need not hold.
-Eigen::Array4d RowOfFour(const ProbabilityGrid& grid, int x, int y) {
-  const CellValue cells[] = {grid.value({x, y}), grid.value({x + 1, y}), grid.value({x + 2, y}),
-                             grid.value({x + 3, y})};
-  return RowOfFour(cells);
+/// Where to write what is found; no slopes if they are null.
+struct Results {
+  double* values;
+  double* slopes_x;
+  double* slopes_y;
+};
+
+/// Four cells side by side in each lane, 16 bits each, so many bytes after `cells`.
+template <typename Rows>
+HWY_INLINE hn::Vec<Rows> GatherRows(Rows rows, const CellValue* cells, hn::Vec<Rows> place) {
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX2
+  return hn::GatherOffset(rows, reinterpret_cast<const std::int64_t*>(cells), place);
+#else
+  HWY_ALIGN std::int64_t gathered[hn::MaxLanes(rows)];
+  hn::Store(place, rows, gathered);
+  for (std::size_t i = 0; i < hn::Lanes(rows); ++i) {
+    std::memcpy(&gathered[i], reinterpret_cast<const char*>(cells) + gathered[i],
+                sizeof(std::int64_t));
+  }
+  return hn::Load(rows, gathered);
+#endif
 }
 
-}  // namespace
+/// As many places as vectors of `numbers` have lanes, each at (t_x, t_y) in [0, 1) from the second
+/// of four cells in the second of four rows, the first of which is so many bytes after `cells`.
+/// Rows are `row_size` bytes apart.
+template <typename Numbers>
+HWY_INLINE void Interpolate(Numbers numbers, const CellValue* cells,
+                            hn::Vec<hn::RebindToSigned<Numbers>> place, int row_size,
+                            hn::Vec<Numbers> t_x, hn::Vec<Numbers> t_y, double resolution,
+                            const Results& results) {
+  const hn::RebindToSigned<Numbers> rows;
+  // Unknown cells, which are 0, count as those with the least probability, which are 1.
+  const auto one = hn::Set(numbers, 1.0);
+  const auto to_number = [&](auto cell) HWY_ATTR {
+    // The bits of 2^52 with a small integer in the last places are those of their sum.
+    constexpr double kTwoTo52 = 4503599627370496.0;
+    const auto big = hn::Set(numbers, kTwoTo52);
+    const auto bits = hn::Or(hn::And(cell, hn::Set(rows, 0xffff)), hn::BitCast(rows, big));
+    return hn::Max(hn::Sub(hn::BitCast(numbers, bits), big), one);
+  };
+  const Weights<Numbers> weights_x = CubicWeights(numbers, t_x);
+  const Weights<Numbers> slopes_x = CubicSlopes(numbers, t_x);
+  const bool with_slopes = results.slopes_x != nullptr;
+  hn::Vec<Numbers> values[4];
+  hn::Vec<Numbers> slopes[4];
+  for (int i = 0; i < 4; ++i) {
+    const auto row = GatherRows(rows, cells, place);
+    const hn::Vec<Numbers> of_row[4] = {to_number(row), to_number(hn::ShiftRight<16>(row)),
+                                        to_number(hn::ShiftRight<32>(row)),
+                                        to_number(hn::ShiftRight<48>(row))};
+    values[i] = Weighted<Numbers>(of_row, weights_x);
+    if (with_slopes) slopes[i] = Weighted<Numbers>(of_row, slopes_x);
+    place = hn::Add(place, hn::Set(rows, row_size));
+  }
+  const Weights<Numbers> weights_y = CubicWeights(numbers, t_y);
+  const auto steps = hn::Sub(Weighted<Numbers>(values, weights_y), one);
+  hn::StoreU(hn::Add(hn::Set(numbers, kMinProbability),
+                     hn::Mul(hn::Set(numbers, kProbabilityStep), steps)),
+             numbers, results.values);
+  if (!with_slopes) return;
+  const auto per_meter = hn::Set(numbers, kProbabilityStep / resolution);
+  hn::StoreU(hn::Mul(per_meter, Weighted<Numbers>(slopes, weights_y)), numbers, results.slopes_x);
+  hn::StoreU(hn::Mul(per_meter, Weighted<Numbers>(values, CubicSlopes(numbers, t_y))), numbers,
+             results.slopes_y);
+}
 
-SmoothValue BicubicGrid::At(const Eigen::Vector2d& point) const {
-  const double u = point.x() / grid_.resolution();
-  const double v = point.y() / grid_.resolution();
+/// At one point, whose neighbours the grid need not hold.
+void InterpolateOne(const ProbabilityGrid& grid, const Eigen::Vector2d& point,
+                    const Results& results) {
+  const hn::CappedTag<double, 1> number;
+  const hn::RebindToSigned<decltype(number)> rows;
+  const double u = point.x() / grid.resolution();
+  const double v = point.y() / grid.resolution();
   const int x = FloorToInt(u);
   const int y = FloorToInt(v);
-  const CellBox& box = grid_.box();
-  const CellIndex low{x - 1, y - 1};
-  const bool inside = box.Contains(low) && box.Contains({x + 2, y + 2});
-  const CellValue* cells = inside ? grid_.cells().data() + box.FlatIndex(low) : nullptr;
-  const Eigen::Array4d weights_x = CubicWeights(u - x);
-  const Eigen::Array4d slopes_x = CubicWeightDerivatives(u - x);
-  Eigen::Array4d values;
-  Eigen::Array4d slopes;
-  for (int i = 0; i < 4; ++i) {
-    const Eigen::Array4d row = inside
-                                   ? RowOfFour(cells + static_cast<std::ptrdiff_t>(i) * box.width)
-                                   : RowOfFour(grid_, low.x, low.y + i);
-    values[i] = (row * weights_x).sum();
-    slopes[i] = (row * slopes_x).sum();
+  CellValue cells[16];
+  for (int i = 0; i < 16; ++i) cells[i] = grid.value({x - 1 + i % 4, y - 1 + i / 4});
+  Interpolate(number, cells, hn::Zero(rows), 4 * sizeof(CellValue), hn::Set(number, u - x),
+              hn::Set(number, v - y), grid.resolution(), results);
+}
+
+void InterpolateHere(const ProbabilityGrid& grid, const Eigen::Vector2d* points,
+                     std::size_t num_points, double* values, double* slopes_x, double* slopes_y) {
+  Results results{values, slopes_x, slopes_y};
+  const auto advance = [&results](std::size_t count) {
+    results.values += count;
+    if (results.slopes_x == nullptr) return;
+    results.slopes_x += count;
+    results.slopes_y += count;
+  };
+  std::size_t i = 0;
+#if HWY_TARGET != HWY_SCALAR
+  const hn::ScalableTag<double> numbers;
+  const hn::Rebind<std::int32_t, decltype(numbers)> ints;
+  const auto resolution = hn::Set(numbers, grid.resolution());
+  const CellBox& box = grid.box();
+  const std::size_t num_lanes = hn::Lanes(numbers);
+  for (; i + num_lanes <= num_points; i += num_lanes) {
+    hn::Vec<decltype(numbers)> x;
+    hn::Vec<decltype(numbers)> y;
+    hn::LoadInterleaved2(numbers, points[i].data(), x, y);
+    const auto u = hn::Div(x, resolution);
+    const auto v = hn::Div(y, resolution);
+    const auto floor_u = hn::Floor(u);
+    const auto floor_v = hn::Floor(v);
+    const auto column = hn::Sub(hn::DemoteTo(ints, floor_u), hn::Set(ints, box.min.x + 1));
+    const auto row = hn::Sub(hn::DemoteTo(ints, floor_v), hn::Set(ints, box.min.y + 1));
+    const auto before = hn::Set(ints, -1);
+    const auto is_inside = hn::And(hn::And(hn::Gt(column, before), hn::Gt(row, before)),
+                                   hn::And(hn::Lt(column, hn::Set(ints, box.width - 3)),
+                                           hn::Lt(row, hn::Set(ints, box.height - 3))));
+    if (hn::AllTrue(ints, is_inside)) {
+      const auto place = hn::ShiftLeft<1>(hn::Add(hn::Mul(row, hn::Set(ints, box.width)), column));
+      static_assert(sizeof(CellValue) == 2);
+      Interpolate(numbers, grid.cells().data(),
+                  hn::PromoteTo(hn::RebindToSigned<decltype(numbers)>(), place),
+                  box.width * int{sizeof(CellValue)}, hn::Sub(u, floor_u), hn::Sub(v, floor_v),
+                  grid.resolution(), results);
+      advance(num_lanes);
+    } else {
+      for (std::size_t k = 0; k < num_lanes; ++k) {
+        InterpolateOne(grid, points[i + k], results);
+        advance(1);
+      }
+    }
   }
-  const Eigen::Array4d weights_y = CubicWeights(v - y);
-  const Eigen::Array4d slopes_y = CubicWeightDerivatives(v - y);
-  return {kMinProbability + kProbabilityStep * (values * weights_y).sum(),
-          kProbabilityStep / grid_.resolution() *
-              Eigen::Vector2d((slopes * weights_y).sum(), (values * slopes_y).sum())};
+#endif
+  for (; i < num_points; ++i) {
+    InterpolateOne(grid, points[i], results);
+    advance(1);
+  }
+}
+
+}  // namespace loopscope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace loopscope {
+
+HWY_EXPORT(InterpolateHere);
+
+SmoothValues BicubicGrid::At(const PointCloud& points, bool with_slopes) const {
+  SmoothValues found;
+  found.values.resize(points.size());
+  if (with_slopes) {
+    found.slopes_x.resize(points.size());
+    found.slopes_y.resize(points.size());
+  }
+  HWY_DYNAMIC_DISPATCH(InterpolateHere)
+  (grid_, points.data(), points.size(), found.values.data(),
+   with_slopes ? found.slopes_x.data() : nullptr, with_slopes ? found.slopes_y.data() : nullptr);
+  return found;
 }
 
 }  // namespace loopscope
+#endif

@@ -2,14 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "core/grid/probability_grid.h"
+#include "core/sensor/range_data.h"
 
 namespace loopscope {
 
-/// A value of M_smooth and its derivative by the place.
-struct SmoothValue {
-  double value = 0.0;
-  Eigen::Vector2d gradient = Eigen::Vector2d::Zero();  ///< [1/m]
+/// Values of M_smooth and, if they were asked for, their derivatives by the place.
+struct SmoothValues {
+  std::vector<double> values;
+  std::vector<double> slopes_x;  ///< [1/m]
+  std::vector<double> slopes_y;  ///< [1/m]
 };
 
 /// M_smooth of (CS): the probabilities of a grid, interpolated by bicubic (Catmull-Rom) convolution
@@ -20,7 +24,8 @@ class BicubicGrid {
   /// Keeps a reference to `grid`.
   explicit BicubicGrid(const ProbabilityGrid& grid) : grid_(grid) {}
 
-  SmoothValue At(const Eigen::Vector2d& point) const;
+  /// At each of `points` [m], in the frame of the grid. The same numbers on any processor.
+  SmoothValues At(const PointCloud& points, bool with_slopes) const;
 
  private:
   const ProbabilityGrid& grid_;

@@ -128,17 +128,18 @@ void SumRowsHere(const CellValue* const* starts, std::size_t num_starts, std::si
                  std::uint32_t* sums) {
   std::size_t done = 0;
 #if HWY_TARGET != HWY_SCALAR
-  constexpr std::size_t kNumLanes = 4;
-  const hn::FixedTag<CellValue, kNumLanes> values;
-  const hn::FixedTag<std::uint32_t, kNumLanes> wide;
+  const hn::CappedTag<std::uint32_t, kCellsPerLoad> wide;
+  const hn::Rebind<CellValue, decltype(wide)> values;
   const auto one = hn::Set(values, 1);
-  for (; done + kNumLanes <= num_shifts; done += kNumLanes) {
+  for (; done < num_shifts; done += hn::Lanes(wide)) {
     auto sum = hn::Zero(wide);
     for (std::size_t i = 0; i < num_starts; ++i) {
       const auto value = hn::LoadU(values, starts[i] + done);
       sum = hn::Add(sum, hn::PromoteTo(wide, hn::SaturatedSub(value, one)));
     }
-    hn::StoreU(sum, wide, sums + done);
+    HWY_ALIGN std::uint32_t lanes[kCellsPerLoad];
+    hn::Store(sum, wide, lanes);
+    std::copy_n(lanes, std::min(hn::Lanes(wide), num_shifts - done), sums + done);
   }
 #endif
   for (; done < num_shifts; ++done) {
@@ -206,11 +207,12 @@ std::vector<std::uint32_t> SumShifted(const ProbabilityGrid& grid,
   const int side = 2 * radius + 1;
   const CellBox& box = grid.box();
   std::vector<std::uint32_t> sums(static_cast<std::size_t>(side) * side, 0);
-  std::vector<const CellValue*> starts;  // of points whose whole window is known
+  const int padded_side = (side + kCellsPerLoad - 1) / kCellsPerLoad * kCellsPerLoad;
+  std::vector<const CellValue*> starts;  // of points whose whole window, as it is read, is known
   starts.reserve(cells.size());
   for (const CellIndex cell : cells) {
     const CellIndex low{cell.x - radius, cell.y - radius};
-    if (box.Contains(low) && box.Contains({cell.x + radius, cell.y + radius})) {
+    if (box.Contains(low) && box.Contains({low.x + padded_side - 1, cell.y + radius})) {
       starts.push_back(grid.cells().data() + box.FlatIndex(low));
       continue;
     }

@@ -27,6 +27,9 @@ using BlockSums = std::array<std::int32_t, kBlocksPerSide * kBlocksPerSide>;
 BlockSums SumBlocks(const PrecomputedGrid& grid, const std::vector<CellIndex>& cells,
                     CellIndex offset, int num_rows = kBlocksPerSide);
 
+/// Rows of cells are read in steps of so many, or fewer.
+constexpr int kCellsPerLoad = 8;
+
 /// The sums of StepsAboveMin at all shifts of a square window, |x|, |y| <= `radius` cells,
 /// row-major, lowest y first.
 std::vector<std::uint32_t> SumShifted(const ProbabilityGrid& grid,

@@ -22,15 +22,17 @@ bool ScanMatchCost::operator()(const double* pose, double* residuals, double* ja
   const int num_rows = NumResiduals();
   const Eigen::Vector2d translation(pose[0], pose[1]);
   const Eigen::Matrix2d rotation = Pose2(0.0, 0.0, pose[2]).RotationMatrix();
+  PointCloud places(points_.size());
+  for (int k = 0; k < num_points; ++k) places[k] = rotation * points_[k] + translation;
+  const SmoothValues smooth = smooth_.At(places, jacobian != nullptr);
   for (int k = 0; k < num_points; ++k) {
-    const Eigen::Vector2d arm = rotation * points_[k];
-    const SmoothValue smooth = smooth_.At(arm + translation);
-    residuals[k] = point_weight_ * (1.0 - smooth.value);
+    residuals[k] = point_weight_ * (1.0 - smooth.values[k]);
     if (jacobian == nullptr) continue;
     // d (R h) / d theta is R h turned by a quarter.
-    const double by_angle = -arm.y() * smooth.gradient.x() + arm.x() * smooth.gradient.y();
-    jacobian[k] = -point_weight_ * smooth.gradient.x();
-    jacobian[k + num_rows] = -point_weight_ * smooth.gradient.y();
+    const Eigen::Vector2d arm = places[k] - translation;
+    const double by_angle = -arm.y() * smooth.slopes_x[k] + arm.x() * smooth.slopes_y[k];
+    jacobian[k] = -point_weight_ * smooth.slopes_x[k];
+    jacobian[k + num_rows] = -point_weight_ * smooth.slopes_y[k];
     jacobian[k + 2 * num_rows] = -point_weight_ * by_angle;
   }
   for (int i = 0; i < 3; ++i) {

@@ -8,6 +8,7 @@
 
 #include "core/simulation/random.h"
 #include "tests/support/random_world.h"
+#include "tests/support/smooth_value.h"
 
 namespace loopscope {
 namespace {
@@ -27,7 +28,8 @@ Eigen::Vector2d NumericGradient(const BicubicGrid& smooth, const Eigen::Vector2d
   for (int axis = 0; axis < 2; ++axis) {
     const Eigen::Vector2d step = kStep * Eigen::Vector2d::Unit(axis);
     gradient[axis] =
-        (smooth.At(point + step).value - smooth.At(point - step).value) / (2.0 * kStep);
+        (SmoothValueAt(smooth, point + step).value - SmoothValueAt(smooth, point - step).value) /
+        (2.0 * kStep);
   }
   return gradient;
 }
@@ -50,8 +52,8 @@ TEST(BicubicGrid, MeetsTheProbabilitiesAtTheGridPoints) {
   const CellBox& box = grid.box();
   for (int y = box.min.y - 2; y < box.min.y + box.height + 2; ++y) {
     for (int x = box.min.x - 2; x < box.min.x + box.width + 2; ++x) {
-      EXPECT_NEAR(smooth.At(CenterOf({x, y}, grid.resolution())).value, grid.probability({x, y}),
-                  1e-9);
+      EXPECT_NEAR(SmoothValueAt(smooth, CenterOf({x, y}, grid.resolution())).value,
+                  grid.probability({x, y}), 1e-9);
     }
   }
 }
@@ -63,8 +65,27 @@ TEST(BicubicGrid, HasTheGradientOfItsValue) {
   for (int i = 0; i < 1000; ++i) {
     const Eigen::Vector2d point = RandomPointIn(grid, &random);
     const Eigen::Vector2d expected = NumericGradient(smooth, point);
-    EXPECT_NEAR((smooth.At(point).gradient - expected).norm(), 0.0, 1e-2)
+    EXPECT_NEAR((SmoothValueAt(smooth, point).gradient - expected).norm(), 0.0, 1e-2)
         << "at " << point.transpose() << " expected " << expected.transpose();
+  }
+}
+
+TEST(BicubicGrid, IsTheSameAtManyPointsAsAtEach) {
+  Random random(6);
+  for (int i = 0; i < 20; ++i) {
+    const ProbabilityGrid grid = RandomGrid(&random);
+    const BicubicGrid smooth(grid);
+    PointCloud points;
+    for (int k = 0; k < 101; ++k) points.push_back(RandomPointIn(grid, &random));
+    const SmoothValues many = smooth.At(points, true);
+    EXPECT_EQ(smooth.At(points, false).values, many.values);
+    EXPECT_TRUE(smooth.At(points, false).slopes_x.empty());
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const SmoothValue one = SmoothValueAt(smooth, points[k]);
+      EXPECT_EQ(many.values[k], one.value);
+      EXPECT_EQ(many.slopes_x[k], one.gradient.x());
+      EXPECT_EQ(many.slopes_y[k], one.gradient.y());
+    }
   }
 }
 
@@ -77,8 +98,8 @@ TEST(BicubicGrid, HasNoStepOrKinkBetweenItsPatches) {
     const int axis = i % 2;
     point[axis] = grid.resolution() * std::round(point[axis] / grid.resolution());
     const Eigen::Vector2d aside = 1e-9 * Eigen::Vector2d::Unit(axis);
-    const SmoothValue before = smooth.At(point - aside);
-    const SmoothValue after = smooth.At(point + aside);
+    const SmoothValue before = SmoothValueAt(smooth, point - aside);
+    const SmoothValue after = SmoothValueAt(smooth, point + aside);
     EXPECT_NEAR(before.value, after.value, 1e-6);
     EXPECT_NEAR((before.gradient - after.gradient).norm(), 0.0, 1e-4);
   }
@@ -95,7 +116,7 @@ TEST(BicubicGrid, ReproducesAParabola) {
   for (int i = 0; i < 200; ++i) {
     const double x = random.Uniform(1.0, 10.0);
     const double y = random.Uniform(1.0, 10.0);
-    const SmoothValue at = smooth.At(0.5 * Eigen::Vector2d(x, y));
+    const SmoothValue at = SmoothValueAt(smooth, 0.5 * Eigen::Vector2d(x, y));
     EXPECT_NEAR(at.value, parabola(x, y), 2.0 * kCellValueStep);
     EXPECT_NEAR(at.gradient.x(), (0.03 + 0.004 * x + 0.001 * y) / 0.5, 1e-3);
     EXPECT_NEAR(at.gradient.y(), (-0.02 + 0.001 * x + 0.002 * y) / 0.5, 1e-3);
@@ -105,7 +126,7 @@ TEST(BicubicGrid, ReproducesAParabola) {
 TEST(BicubicGrid, IsFlatAtTheLeastProbabilityFarFromTheMap) {
   Random random(5);
   const ProbabilityGrid grid = RandomGrid(&random);
-  const SmoothValue far = BicubicGrid(grid).At({100.0, -100.0});
+  const SmoothValue far = SmoothValueAt(BicubicGrid(grid), {100.0, -100.0});
   EXPECT_NEAR(far.value, kMinProbability, 1e-12);
   EXPECT_NEAR(far.gradient.norm(), 0.0, 1e-12);
 }

@@ -8,6 +8,7 @@
 
 #include "core/simulation/random.h"
 #include "tests/support/random_world.h"
+#include "tests/support/smooth_value.h"
 
 namespace loopscope {
 namespace {
@@ -64,7 +65,8 @@ TEST(ScanMatchCost, WeighsWhatEachPointLacksByTheNumberOfPoints) {
   ASSERT_EQ(residuals.size(), num_points + 3);
   for (int k = 0; k < num_points; ++k) {
     const Eigen::Vector2d point = Pose2(pose.x(), pose.y(), pose.z()) * world.points_in_scan[k];
-    EXPECT_NEAR(residuals[k], 3.0 / std::sqrt(num_points) * (1.0 - smooth.At(point).value), 1e-9);
+    EXPECT_NEAR(residuals[k],
+                3.0 / std::sqrt(num_points) * (1.0 - SmoothValueAt(smooth, point).value), 1e-9);
   }
 }
 

@@ -1,8 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
+#include <cstring>
+
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
+#include "core/matching/bicubic_grid.h"
 #include "core/matching/block_sums.h"
 #include "core/matching/precomputed_grids.h"
 #include "core/matching/search_lattice.h"
@@ -19,6 +22,12 @@ std::vector<std::int64_t> Targets() {
   return targets;
 }
 
+std::int64_t BitsOf(double number) {
+  std::int64_t bits = 0;
+  std::memcpy(&bits, &number, sizeof(bits));
+  return bits;
+}
+
 /// What the inner loops compute, with all numbers in a row.
 std::vector<std::int64_t> Compute(std::uint64_t seed) {
   Random random(seed);
@@ -27,6 +36,10 @@ std::vector<std::int64_t> Compute(std::uint64_t seed) {
       MakeSearchWindow(world.points_in_scan, world.submap_from_scan, 0.3, 0.2, 0.05);
   const PrecomputedGrids grids(world.grid, 4);
   std::vector<std::int64_t> numbers;
+  const SmoothValues smooth = BicubicGrid(world.grid).At(world.points_in_scan, true);
+  for (const auto* values : {&smooth.values, &smooth.slopes_x, &smooth.slopes_y}) {
+    for (const double value : *values) numbers.push_back(BitsOf(value));
+  }
   for (int angle = -3; angle <= 3; ++angle) {
     const std::vector<CellIndex> cells = CellsAtAngle(window, world.points_in_scan, angle);
     for (const CellIndex cell : cells) numbers.insert(numbers.end(), {cell.x, cell.y});

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/matching/bicubic_grid.h"
+
+namespace loopscope {
+
+/// A value of M_smooth and its derivative by the place.
+struct SmoothValue {
+  double value = 0.0;
+  Eigen::Vector2d gradient = Eigen::Vector2d::Zero();  ///< [1/m]
+};
+
+inline SmoothValue SmoothValueAt(const BicubicGrid& smooth, const Eigen::Vector2d& point) {
+  const SmoothValues found = smooth.At({point}, true);
+  return {found.values[0], {found.slopes_x[0], found.slopes_y[0]}};
+}
+
+}  // namespace loopscope
