@@ -82,7 +82,7 @@ InspectionReport ReportOnStep(const Recording& recording, const MapState& state)
       {"use_odometry", "TRAJECTORY_BUILDER_2D.use_",
        "TRAJECTORY_BUILDER_2D.real_time_correlative_scan_matcher.",
        "TRAJECTORY_BUILDER_2D.ceres_scan_matcher.", "TRAJECTORY_BUILDER_2D.recovery.",
-       "TRAJECTORY_BUILDER_2D.motion_filter.", "POSE_GRAPH.optimize_every_n_nodes"}));
+       "TRAJECTORY_BUILDER_2D.motion_filter.", "POSE_GRAPH.optimize_every_"}));
   return report;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/pose2.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace loopscope {
@@ -32,6 +33,14 @@ Eigen::Vector2d operator*(const Pose2& target_from_source, const Eigen::Vector2d
 
 bool operator==(const Pose2& a, const Pose2& b) {
   return a.translation == b.translation && a.rotation == b.rotation;
+}
+
+double Rounded(double value) { return std::round(1e6 * value) / 1e6; }
+
+Pose2 Rounded(const Pose2& pose) {
+  constexpr double kMaxRotation = 3.141592;  // pi would be rounded up
+  return {Rounded(pose.x()), Rounded(pose.y()),
+          std::clamp(Rounded(pose.rotation), -kMaxRotation, kMaxRotation)};
 }
 
 Pose2 Interpolate(const Pose2& a, const Pose2& b, double t) {

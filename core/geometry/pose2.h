@@ -40,6 +40,12 @@ Eigen::Vector2d operator*(const Pose2& target_from_source, const Eigen::Vector2d
 bool operator==(const Pose2& a, const Pose2& b);
 inline bool operator!=(const Pose2& a, const Pose2& b) { return !(a == b); }
 
+/// `value` with six decimals. What is recorded is rounded so: no measurement is as exact, and the
+/// rest would be noise that takes most of the space.
+double Rounded(double value);
+/// Likewise, in micrometres and microradians.
+Pose2 Rounded(const Pose2& pose);
+
 /// The pose a share `t` in [0, 1] of the way from `a` to `b`, turning the shorter way.
 Pose2 Interpolate(const Pose2& a, const Pose2& b, double t);
 

@@ -41,6 +41,21 @@ Verdict VerdictOnWinner(const LoopCandidate& found, const RangeData& scan_in_nod
 
 }  // namespace
 
+LoopCandidate Rounded(LoopCandidate candidate) {
+  for (double LoopCandidate::*const number :
+       {&LoopCandidate::linear_search_window, &LoopCandidate::angular_search_window,
+        &LoopCandidate::score, &LoopCandidate::score_bound, &LoopCandidate::min_score,
+        &LoopCandidate::rival_score}) {
+    candidate.*number = loopscope::Rounded(candidate.*number);
+  }
+  for (Pose2 LoopCandidate::*const pose :
+       {&LoopCandidate::submap_from_node_guess, &LoopCandidate::submap_from_node_searched,
+        &LoopCandidate::submap_from_node}) {
+    candidate.*pose = loopscope::Rounded(candidate.*pose);
+  }
+  return candidate;
+}
+
 bool IsAtBorder(const LoopCandidate& found, double resolution) {
   if (found.whole_submap) return false;
   const Eigen::Vector2d moved =
@@ -58,26 +73,25 @@ LoopCandidate SearchLoop(const LoopCandidate& candidate, const RangeData& scan_i
                          const ProbabilityGrid& grid, const BranchAndBoundMatcher& matcher,
                          const ConstraintBuilderOptions& options, SearchTrace* trace) {
   const PointCloud& points_in_node = scan_in_node.returns;
-  LoopCandidate result = candidate;
+  LoopCandidate result = Rounded(candidate);
   const SearchOutcome outcome =
-      candidate.whole_submap
-          ? matcher.SearchWholeSubmap(points_in_node, candidate.min_score, trace)
-          : matcher.Search(points_in_node, candidate.submap_from_node_guess,
-                           candidate.linear_search_window, candidate.angular_search_window,
-                           candidate.min_score, trace);
+      result.whole_submap ? matcher.SearchWholeSubmap(points_in_node, result.min_score, trace)
+                          : matcher.Search(points_in_node, result.submap_from_node_guess,
+                                           result.linear_search_window,
+                                           result.angular_search_window, result.min_score, trace);
   result.score = outcome.best_found.score;
   result.score_bound = outcome.score_bound;
   result.submap_from_node_searched = outcome.best_found.submap_from_scan;
   result.submap_from_node = result.submap_from_node_searched;
   result.verdict = Verdict::kBelowMinScore;
-  if (!outcome.winner) return result;
+  if (!outcome.winner) return Rounded(result);
   result.rival_score = RivalScore(result, points_in_node, matcher, options.ambiguity);
   result.submap_from_node =
       MatchWithCeres(points_in_node, grid, result.submap_from_node_searched.translation,
                      result.submap_from_node_searched, options.ceres_scan_matcher)
           .submap_from_scan;
   result.verdict = VerdictOnWinner(result, scan_in_node, grid, options);
-  return result;
+  return Rounded(result);
 }
 
 Constraint ToConstraint(const LoopCandidate& accepted, const ConstraintBuilderOptions& options) {

@@ -15,9 +15,12 @@
 
 namespace loopscope {
 
+/// All numbers and poses rounded, as they are searched and recorded.
+LoopCandidate Rounded(LoopCandidate candidate);
+
 /// Searches one pair: branch and bound in the window around candidate.submap_from_node_guess (or
 /// the whole submap), and (CS) from the winner. Of `scan_in_node` only origin and returns count.
-/// Returns `candidate` with verdict, scores and poses set.
+/// Returns `candidate`, Rounded, with verdict, scores and poses set.
 LoopCandidate SearchLoop(const LoopCandidate& candidate, const RangeData& scan_in_node,
                          const ProbabilityGrid& grid, const BranchAndBoundMatcher& matcher,
                          const ConstraintBuilderOptions& options, SearchTrace* trace = nullptr);

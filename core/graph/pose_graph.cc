@@ -117,7 +117,9 @@ LoopCandidate PoseGraph::CandidateOf(SubmapId submap, NodeId node, double way, i
 }
 
 bool PoseGraph::OptimizationIsDue() const {
-  return SearchesLoops() && num_nodes_since_optimization_ >= options_.optimize_every_n_nodes;
+  return SearchesLoops() && num_nodes_since_optimization_ >= options_.optimize_every_n_nodes &&
+         num_nodes_since_optimization_ >=
+             options_.optimize_every_share * static_cast<double>(nodes_.size());
 }
 
 std::vector<LoopCandidate> PoseGraph::CollectLoops(int step) {
@@ -256,27 +258,26 @@ LoopDrift PoseGraph::DriftOf(const LoopCandidate& candidate) const {
 }
 
 GraphSolution PoseGraph::Optimize(int max_num_iterations) {
-  GraphSolution solution = SolveGraph(Problem(), options_.optimization_problem, max_num_iterations);
-  Adopt(solution);
-  return solution;
+  return Adopt(SolveGraph(Problem(), options_.optimization_problem, max_num_iterations));
 }
 
 GraphSolution PoseGraph::OptimizeWithoutOutliers(int max_num_iterations) {
-  GraphSolution solution =
-      SolveGraphWithoutOutliers(Problem(), options_.optimization_problem, max_num_iterations);
-  Adopt(solution);
-  return solution;
+  return Adopt(
+      SolveGraphWithoutOutliers(Problem(), options_.optimization_problem, max_num_iterations));
 }
 
 GraphProblem PoseGraph::Problem() const {
   return {global_from_submap_, global_from_node_, constraints_, consecutive_nodes_};
 }
 
-void PoseGraph::Adopt(const GraphSolution& solution) {
+GraphSolution PoseGraph::Adopt(GraphSolution solution) {
+  for (Pose2& pose : solution.global_from_submap) pose = Rounded(pose);
+  for (Pose2& pose : solution.global_from_node) pose = Rounded(pose);
   global_from_submap_ = solution.global_from_submap;
   global_from_node_ = solution.global_from_node;
   global_from_local_ = global_from_submap_.back() * submaps_.back().local_from_submap.Inverse();
   num_nodes_since_optimization_ = 0;
+  return solution;
 }
 
 }  // namespace loopscope

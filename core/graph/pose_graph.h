@@ -37,7 +37,7 @@ class PoseGraph {
   /// Considers the submap for loops with all nodes that do not lie in it.
   void FinishSubmap(SubmapId id, ProbabilityGrid grid, int step);
 
-  /// Whether optimize_every_n_nodes nodes came since the last optimization.
+  /// Whether enough nodes came since the last optimization.
   bool OptimizationIsDue() const;
 
   /// Waits for the loop searches and takes the loops found into the graph. All candidates that came
@@ -68,7 +68,8 @@ class PoseGraph {
   /// Judges the candidates that were searched, and takes those accepted into the graph.
   void TakeIn(std::vector<LoopCandidate>* candidates, int step);
   GraphProblem Problem() const;
-  void Adopt(const GraphSolution& solution);
+  /// Makes the solution, rounded as it is recorded, the state.
+  GraphSolution Adopt(GraphSolution solution);
   /// Searches neighbours of the loops that stand alone, where those have them.
   void CheckLoneLoops(std::vector<LoopCandidate>* candidates);
   void SearchWhereLoopHasIt(const LoopCandidate& loop, LoopCandidate* pair);

@@ -72,6 +72,9 @@ struct OptimizationProblemOptions {
 /// POSE_GRAPH.
 struct PoseGraphOptions {
   int optimize_every_n_nodes = 90;  ///< 0: never, no loops
+  /// Not in Cartographer: nor before this share of all nodes is new. So what optimizations cost a
+  /// node does not grow with the map.
+  double optimize_every_share = 0.0;
   ConstraintBuilderOptions constraint_builder;
   double matcher_translation_weight = 5e2;  ///< of INTRA_SUBMAP constraints
   double matcher_rotation_weight = 1.6e3;

@@ -20,10 +20,31 @@ std::vector<NodeId> Spread(const std::vector<NodeId>& nodes, int count) {
   return some;
 }
 
+/// In the global frame: a box around the nodes of a submap, and around the box that it has of them.
+Eigen::AlignedBox2d ExtentOf(const SubmapPlace& submap,
+                             const std::vector<Pose2>& global_from_node) {
+  Eigen::AlignedBox2d extent;
+  for (int i = 0; i < submap.num_nodes; ++i) {
+    extent.extend(global_from_node[submap.first_node.index + i].translation);
+  }
+  for (int i = 0; i < 4; ++i) {
+    const auto corner = static_cast<Eigen::AlignedBox2d::CornerType>(i);
+    extent.extend(submap.global_from_submap * Eigen::Vector2d(submap.node_box.corner(corner)));
+  }
+  return extent;
+}
+
+/// Visits all two submaps between whose nodes there could be no more than `max_distance` [m].
 template <typename Visitor>
-void ForEachTwo(const std::vector<SubmapPlace>& submaps, const Visitor& visit) {
+void ForEachTwoNear(const std::vector<SubmapPlace>& submaps,
+                    const std::vector<Pose2>& global_from_node, double max_distance,
+                    const Visitor& visit) {
+  std::vector<Eigen::AlignedBox2d> extents;
+  for (const SubmapPlace& submap : submaps) extents.push_back(ExtentOf(submap, global_from_node));
   for (std::size_t b = 0; b < submaps.size(); ++b) {
-    for (std::size_t a = 0; a < b; ++a) visit(submaps[a], submaps[b]);
+    for (std::size_t a = 0; a < b; ++a) {
+      if (extents[a].exteriorDistance(extents[b]) <= max_distance) visit(submaps[a], submaps[b]);
+    }
   }
 }
 
@@ -80,11 +101,12 @@ std::vector<SecondLook::Pair> SecondLook::Choose(const std::vector<SubmapPlace>&
   std::vector<Pair> pairs;
   if (options_.num_nodes == 0) return pairs;
   const SamePlace same_place{global_from_node, node_ways, options_, options_.num_nodes};
-  ForEachTwo(submaps, [&](const SubmapPlace& first, const SubmapPlace& second) {
-    if (IsTied(first.id, second.id) || !HaveMoved(first, second)) return;
-    if (!same_place.AddPairs(first, second, &pairs)) return;
-    looked_at_[{first.id, second.id}] = FirstFromSecond(first, second);
-  });
+  ForEachTwoNear(submaps, global_from_node, options_.max_distance,
+                 [&](const SubmapPlace& first, const SubmapPlace& second) {
+                   if (IsTied(first.id, second.id) || !HaveMoved(first, second)) return;
+                   if (!same_place.AddPairs(first, second, &pairs)) return;
+                   looked_at_[{first.id, second.id}] = FirstFromSecond(first, second);
+                 });
   RemoveRepeated(&pairs);
   return pairs;
 }
@@ -96,9 +118,10 @@ std::vector<SecondLook::Pair> SecondLook::ChooseOfUntied(const std::vector<Subma
   std::vector<Pair> pairs;
   if (num_nodes == 0) return pairs;
   const SamePlace same_place{global_from_node, node_ways, options_, num_nodes};
-  ForEachTwo(submaps, [&](const SubmapPlace& first, const SubmapPlace& second) {
-    if (!IsTied(first.id, second.id)) same_place.AddPairs(first, second, &pairs);
-  });
+  ForEachTwoNear(submaps, global_from_node, options_.max_distance,
+                 [&](const SubmapPlace& first, const SubmapPlace& second) {
+                   if (!IsTied(first.id, second.id)) same_place.AddPairs(first, second, &pairs);
+                 });
   RemoveRepeated(&pairs);
   return pairs;
 }

@@ -216,6 +216,9 @@ std::vector<std::uint32_t> SumShifted(const ProbabilityGrid& grid,
       starts.push_back(grid.cells().data() + box.FlatIndex(low));
       continue;
     }
+    const bool sees_none = cell.x + radius < box.min.x || low.x >= box.min.x + box.width ||
+                           cell.y + radius < box.min.y || low.y >= box.min.y + box.height;
+    if (sees_none) continue;
     for (int k = 0; k < side * side; ++k) {
       sums[k] += StepsAboveMin(grid.value({low.x + k % side, low.y + k / side}));
     }

@@ -186,7 +186,7 @@ LoopCandidate ConsiderPair(const Recording& recording, SubmapId submap, NodeId n
   candidate.angular_search_window = gate.angular_window;
   candidate.min_score = MinLoopScoreOf(recording, submap);
   candidate.verdict = gate.is_near ? Verdict::kNotSampled : Verdict::kTooFar;
-  return candidate;
+  return Rounded(candidate);
 }
 
 }  // namespace loopscope

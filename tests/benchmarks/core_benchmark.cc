@@ -8,7 +8,11 @@
 #include "core/matching/ceres_scan_matcher.h"
 #include "core/matching/correlative_scan_matcher.h"
 #include "core/slam/derive.h"
+#include "tests/support/ceres_graph.h"
+#include "tests/support/ceres_scan_match.h"
+#include "tests/support/large_recording.h"
 #include "tests/support/mapped_log.h"
+#include "tests/support/plain_scan_insertion.h"
 
 namespace loopscope {
 namespace {
@@ -74,6 +78,78 @@ void BM_MatchWithCeres(benchmark::State& state) {
   }
 }
 BENCHMARK(BM_MatchWithCeres)->Unit(benchmark::kMicrosecond);
+
+void BM_PlainMatchWithCeres(benchmark::State& state) {
+  const CeresScanMatcherOptions options;
+  const Pose2& prior = Match().submap_from_base_prior;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(MatchWithAutomaticDerivatives(Match().points, Match().grid,
+                                                           prior.translation, prior, options));
+  }
+}
+BENCHMARK(BM_PlainMatchWithCeres)->Unit(benchmark::kMicrosecond);
+
+// Into two submaps, as each scan is.
+void BM_InsertScan(benchmark::State& state) {
+  const RangeData range_data = RangeDataOfStep(Office(), 200);
+  const ScanInserter inserter(ScanInserterOptions{});
+  ProbabilityGrid first(0.05);
+  ProbabilityGrid second(0.05);
+  for (auto _ : state) {
+    const ScanCells cells = CastRays(range_data, 0.05);
+    inserter.Insert(cells, &first);
+    inserter.Insert(cells, &second);
+  }
+}
+BENCHMARK(BM_InsertScan)->Unit(benchmark::kMicrosecond);
+
+void BM_PlainInsertScan(benchmark::State& state) {
+  const RangeData range_data = RangeDataOfStep(Office(), 200);
+  const ScanInserterOptions options;
+  PlainGrid first(0.05);
+  PlainGrid second(0.05);
+  for (auto _ : state) {
+    first.Insert(range_data, options.hit_probability, options.miss_probability);
+    second.Insert(range_data, options.hit_probability, options.miss_probability);
+  }
+}
+BENCHMARK(BM_PlainInsertScan)->Unit(benchmark::kMicrosecond);
+
+/// 10,000 nodes, 20,000 INTRA and 15,000 INTER constraints; the start is off by decimetres.
+const GraphProblem& LargeGraph() {
+  static const GraphProblem graph = [] {
+    const Recording recording = LargeRun::Make(10000, 15000);
+    const MapState state = StateAfterStep(recording, recording.num_steps() - 1);
+    GraphProblem problem{
+        state.global_from_submap, state.global_from_node, ConstraintsOf(recording, state), {}};
+    Random random(3);
+    const auto disturb = [&](Pose2* pose) {
+      *pose = *pose * Pose2(random.Uniform(-0.2, 0.2), random.Uniform(-0.2, 0.2),
+                            random.Uniform(-0.05, 0.05));
+    };
+    std::for_each(problem.global_from_submap.begin() + 1, problem.global_from_submap.end(),
+                  [&](Pose2& pose) { disturb(&pose); });
+    for (Pose2& pose : problem.global_from_node) disturb(&pose);
+    return problem;
+  }();
+  return graph;
+}
+
+constexpr int kMaxNumIterations = 100;
+
+void BM_SolveGraph(benchmark::State& state) {
+  double cost = 0.0;
+  for (auto _ : state) cost = SolveGraph(LargeGraph(), {}, kMaxNumIterations).final_cost;
+  state.counters["cost"] = cost;
+}
+BENCHMARK(BM_SolveGraph)->Unit(benchmark::kMillisecond);
+
+void BM_PlainSolveGraph(benchmark::State& state) {
+  double cost = 0.0;
+  for (auto _ : state) cost = SolveGraphWithCeres(LargeGraph(), {}, kMaxNumIterations).final_cost;
+  state.counters["cost"] = cost;
+}
+BENCHMARK(BM_PlainSolveGraph)->Unit(benchmark::kMillisecond);
 
 void BM_Simulate(benchmark::State& state) {
   const World world = MakeWorld("office");

@@ -125,6 +125,26 @@ TEST(Interpolate, TurnsTheShorterWay) {
   EXPECT_NEAR(Interpolate(b, a, 0.25).rotation, DegreesToRadians(-160.0), 1e-12);
 }
 
+TEST(Rounded, KeepsSixDecimals) {
+  EXPECT_EQ(Rounded(0.55), 0.55);
+  EXPECT_EQ(Rounded(-1.0000004), -1.0);
+  EXPECT_EQ(Rounded(Pose2(1.23456789, -2.0000006, 0.1234567)),
+            Pose2(1.234568, -2.000001, 0.123457));
+}
+
+TEST(Rounded, ChangesNothingThatIsRounded) {
+  Random random(1);
+  for (int i = 0; i < 1000; ++i) {
+    const Pose2 rounded = Rounded(RandomPose(random));
+    EXPECT_EQ(Rounded(rounded), rounded);
+  }
+}
+
+TEST(Rounded, StaysWithinHalfATurn) {
+  EXPECT_LE(Rounded(Pose2(0.0, 0.0, M_PI)).rotation, M_PI);
+  EXPECT_GT(Rounded(Pose2(0.0, 0.0, -3.1415926535)).rotation, -M_PI);
+}
+
 TEST(PoseNear, TellsHowFarOffAPoseIs) {
   testing::StringMatchResultListener listener;
   EXPECT_FALSE(testing::ExplainMatchResult(PoseNear(Pose2(0.0, 0.0, M_PI), 1.0, 0.1),

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "core/grid/ray_cast.h"
+#include "core/simulation/random.h"
 #include "tests/support/ascii_grid.h"
+#include "tests/support/plain_scan_insertion.h"
 
 namespace loopscope {
 namespace {
@@ -53,6 +55,29 @@ TEST(ScanInserter, UpdatesACellOnceAScanHoweverManyBeamsMeetIt) {
   ProbabilityGrid grid(1.0);
   ScanInserter({0.7, 0.4, true}).Insert(CastRays(data, 1.0), &grid);
   EXPECT_EQ(Draw(grid, {{0, 0}, 5, 1}), ToText({"44747"}));
+}
+
+TEST(ScanInserter, MakesTheMapOfThePlainGrid) {
+  Random random(8);
+  constexpr double kResolution = 0.05;
+  ProbabilityGrid grid(kResolution);
+  PlainGrid plain(kResolution);
+  for (int scan = 0; scan < 20; ++scan) {
+    RangeData data;
+    data.origin = {random.Uniform(-1.0, 1.0), random.Uniform(-1.0, 1.0)};
+    for (int i = 0; i < 40; ++i) {
+      PointCloud& ends = i % 5 == 0 ? data.misses : data.returns;
+      ends.emplace_back(random.Uniform(-4.0, 4.0), random.Uniform(-4.0, 4.0));
+    }
+    ScanInserter({0.7, 0.4, true}).Insert(CastRays(data, kResolution), &grid);
+    plain.Insert(data, 0.7, 0.4);
+  }
+  std::size_t num_known = 0;
+  for (const CellValue value : grid.cells()) num_known += value == kUnknown ? 0 : 1;
+  EXPECT_EQ(num_known, plain.probabilities().size());
+  for (const auto& [cell, probability] : plain.probabilities()) {
+    EXPECT_NEAR(grid.probability({cell.first, cell.second}), probability, 1e-3);
+  }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "core/matching/scan_match_cost.h"
+#include "tests/support/ceres_scan_match.h"
 #include "tests/support/pose_matchers.h"
 #include "tests/support/simulated_room.h"
 
@@ -94,6 +95,22 @@ TEST(MatchWithCeres, NormalizesTheRotation) {
   const CeresMatch match = MatchWithCeres({{1.0, 0.0}}, nothing_known, {0.0, 0.0},
                                           Pose2(0.1, 0.0, 7.0), CeresScanMatcherOptions());
   EXPECT_NEAR(match.submap_from_scan.rotation, 7.0 - 2.0 * M_PI, 1e-9);
+}
+
+TEST(CeresScanMatcher, FindsWhatCeresFindsWithAutomaticDerivatives) {
+  const SimulatedRoom room;
+  const Pose2 truth(2.0, 0.8, 0.4);
+  const PointCloud points = room.ScanAt(truth);
+  CeresScanMatcherOptions options;
+  options.max_num_iterations = 50;
+  for (const Pose2& error : {Pose2(0.03, -0.04, 0.02), Pose2(-0.05, 0.02, -0.03)}) {
+    const Pose2 start = truth * error;
+    const CeresMatch match = MatchWithCeres(points, room.grid(), start.translation, start, options);
+    const CeresMatch plain =
+        MatchWithAutomaticDerivatives(points, room.grid(), start.translation, start, options);
+    EXPECT_NEAR(match.initial_cost, plain.initial_cost, 1e-6 * plain.initial_cost);
+    EXPECT_THAT(match.submap_from_scan, PoseNear(plain.submap_from_scan, 1e-4, 1e-4));
+  }
 }
 
 }  // namespace

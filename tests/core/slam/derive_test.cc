@@ -277,9 +277,10 @@ TEST(ConstraintsOf, AreTheOnesThatTheLastOptimizationHeld) {
          recording.nodes()[i - 1].local_from_base.Inverse() * recording.nodes()[i].local_from_base,
          options.local_slam_pose_translation_weight, options.local_slam_pose_rotation_weight});
   }
+  // The poses were rounded.
   EXPECT_NEAR(SolveGraph(problem, options, 0).initial_cost,
               recording.optimizations().back().final_cost,
-              1e-9 * recording.optimizations().back().final_cost);
+              1e-4 * recording.optimizations().back().final_cost);
 }
 
 }  // namespace

@@ -156,6 +156,20 @@ TEST(Slam, OptimizesEveryNNodesAndAtTheEnd) {
   EXPECT_EQ(optimizations.back().global_from_node.size(), recording.nodes().size());
 }
 
+TEST(Slam, OptimizesAfterAShareOfAllNodesIfThatIsMore) {
+  Options options = SmallLoopOptions();
+  options.pose_graph.optimize_every_share = 0.25;
+  const Recording recording = MapLog(SimulateSmallLoop().log, options);
+  // A quarter of 32 is 8 again; from then on each must be larger by a third than the one before.
+  std::vector<std::size_t> sizes;
+  for (const Optimization& optimization : recording.optimizations()) {
+    sizes.push_back(optimization.global_from_node.size());
+  }
+  ASSERT_GT(sizes.size(), 6u);
+  sizes.resize(6);
+  EXPECT_THAT(sizes, testing::ElementsAre(8, 16, 24, 32, 43, 58));
+}
+
 TEST(Slam, HoldsSubmap0) {
   const Recording recording = MapLog(SimulateSmallLoop().log, SmallLoopOptions());
   for (const Optimization& optimization : recording.optimizations()) {
