@@ -103,8 +103,16 @@ struct Growth {
   double final_seconds = 0.0;  ///< of processor time in the last scan, with the final optimization
 };
 
+void PrintRow(const Sample& s) {
+  std::cout << fmt::format("{:5}  {:7.2f}  {:19.2f}  {:13.1f}  {:10.1f}  {:9.2f}", s.num_nodes,
+                           s.milliseconds, s.optimization, s.searches, s.iterations, s.megabytes)
+            << std::endl;
+}
+
+/// Prints each sample when it is complete.
 Growth MapAndMeasure(const ScanLog& log) {
   constexpr int kNodesOfSample = 250;
+  std::cout << "nodes  ms/node  in optimizing scans  searches/node  iterations  MB/submap\n";
   Growth growth;
   const double megabytes_before = ResidentMegabytes();
   Slam slam(log, LoopscopePreset(), 1);
@@ -141,6 +149,7 @@ Growth MapAndMeasure(const ScanLog& log) {
                               static_cast<double>(num_searches) / count,
                               static_cast<double>(num_iterations) / num_optimizations,
                               (ResidentMegabytes() - megabytes_before) / num_submaps});
+    PrintRow(growth.samples.back());
     num_nodes_before = num_nodes;
     seconds = optimization_seconds = 0.0;
     num_searches = num_optimizations = num_iterations = 0;
@@ -219,11 +228,6 @@ int Run(int argc, char** argv) {
   }
   const ScanLog log = StreetLog(std::atof(argv[1]));
   const Growth growth = MapAndMeasure(log);
-  std::cout << "nodes  ms/node  in optimizing scans  searches/node  iterations  MB/submap\n";
-  for (const Sample& s : growth.samples) {
-    std::cout << fmt::format("{:5}  {:7.2f}  {:19.2f}  {:13.1f}  {:10.1f}  {:9.2f}\n", s.num_nodes,
-                             s.milliseconds, s.optimization, s.searches, s.iterations, s.megabytes);
-  }
   std::cout << fmt::format("last scan, with the final optimization: {:.1f} s\n",
                            growth.final_seconds);
   if (argc == 3) WritePicture(growth, log.name, argv[2]);
