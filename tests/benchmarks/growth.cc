@@ -6,10 +6,15 @@
 //
 //   growth KILOMETERS [PICTURE.png]
 
+#include <algorithm>
+#include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <iostream>
+#include <string>
 #include <unistd.h>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -71,11 +76,11 @@ World StreetWorld(double kilometers) {
   return world;
 }
 
-ScanLog StreetLog(double kilometers) {
+Simulation SimulateStreet(double kilometers) {
   SimulationOptions options;
   options.scan_period = 0.5;
   options.lidar.beams = {181, DegreesToRadians(-90.0), DegreesToRadians(1.0)};
-  return Simulate(StreetWorld(kilometers), options).log;
+  return Simulate(StreetWorld(kilometers), options);
 }
 
 double ProcessorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -95,6 +100,7 @@ struct Sample {
   double optimization = 0.0;  ///< the part of it that went into scans with an optimization
   double searches = 0.0;      ///< for a node
   double iterations = 0.0;    ///< of an optimization
+  double error = 0.0;         ///< [m] of the last node, seen from the first
   double megabytes = 0.0;     ///< above those before the first scan, for a submap
 };
 
@@ -103,16 +109,27 @@ struct Growth {
   double final_seconds = 0.0;  ///< of processor time in the last scan, with the final optimization
 };
 
+/// [m] of the last node, which is that of a scan at `time`, seen from the first.
+double ErrorOf(const Optimization& optimization, const Trajectory& truth, double time) {
+  const std::vector<Pose2>& nodes = optimization.global_from_node;
+  const Pose2 mapped = nodes.front().Inverse() * nodes.back();
+  const Pose2 exact = truth.front().map_from_base.Inverse() * PoseAt(truth, time);
+  return (mapped.translation - exact.translation).norm();
+}
+
 void PrintRow(const Sample& s) {
-  std::cout << fmt::format("{:5}  {:7.2f}  {:19.2f}  {:13.1f}  {:10.1f}  {:9.2f}", s.num_nodes,
-                           s.milliseconds, s.optimization, s.searches, s.iterations, s.megabytes)
+  std::cout << fmt::format("{:5}  {:7.2f}  {:19.2f}  {:13.1f}  {:10.1f}  {:7.2f}  {:9.2f}",
+                           s.num_nodes, s.milliseconds, s.optimization, s.searches, s.iterations,
+                           s.error, s.megabytes)
             << std::endl;
 }
 
 /// Prints each sample when it is complete.
-Growth MapAndMeasure(const ScanLog& log) {
+Growth MapAndMeasure(const Simulation& simulation) {
+  const ScanLog& log = simulation.log;
   constexpr int kNodesOfSample = 250;
-  std::cout << "nodes  ms/node  in optimizing scans  searches/node  iterations  MB/submap\n";
+  std::cout
+      << "nodes  ms/node  in optimizing scans  searches/node  iterations  off [m]  MB/submap\n";
   Growth growth;
   const double megabytes_before = ResidentMegabytes();
   Slam slam(log, LoopscopePreset(), 1);
@@ -145,10 +162,12 @@ Growth MapAndMeasure(const ScanLog& log) {
     num_submaps += update.started_submap ? 1 : 0;
     const int count = num_nodes - num_nodes_before;
     if (count < kNodesOfSample || !update.optimization) continue;
-    growth.samples.push_back({num_nodes, 1e3 * seconds / count, 1e3 * optimization_seconds / count,
-                              static_cast<double>(num_searches) / count,
-                              static_cast<double>(num_iterations) / num_optimizations,
-                              (ResidentMegabytes() - megabytes_before) / num_submaps});
+    growth.samples.push_back(
+        {num_nodes, 1e3 * seconds / count, 1e3 * optimization_seconds / count,
+         static_cast<double>(num_searches) / count,
+         static_cast<double>(num_iterations) / num_optimizations,
+         ErrorOf(*update.optimization, simulation.ground_truth, log.scans[scan].time),
+         (ResidentMegabytes() - megabytes_before) / num_submaps});
     PrintRow(growth.samples.back());
     num_nodes_before = num_nodes;
     seconds = optimization_seconds = 0.0;
@@ -226,11 +245,11 @@ int Run(int argc, char** argv) {
     std::cerr << "usage: growth KILOMETERS [PICTURE.png]\n";
     return 2;
   }
-  const ScanLog log = StreetLog(std::atof(argv[1]));
-  const Growth growth = MapAndMeasure(log);
+  const Simulation simulation = SimulateStreet(std::atof(argv[1]));
+  const Growth growth = MapAndMeasure(simulation);
   std::cout << fmt::format("last scan, with the final optimization: {:.1f} s\n",
                            growth.final_seconds);
-  if (argc == 3) WritePicture(growth, log.name, argv[2]);
+  if (argc == 3) WritePicture(growth, simulation.log.name, argv[2]);
   return 0;
 }
 
