@@ -112,7 +112,7 @@ class Search {
   void MakeSectors() {
     const int w = window_.num_linear_steps;
     start_height_ = StartHeight();
-    const bool have_bounds = trace_ == nullptr && start_height_ >= kHeightsPerBranch;
+    const bool have_bounds = trace_ == nullptr && start_height_ > 0;
     const int step = kBlocksPerSide << start_height_;
     for (int angle = -window_.num_angular_steps; angle <= window_.num_angular_steps;
          angle += kAnglesPerSector) {
@@ -130,7 +130,7 @@ class Search {
   /// Splits a square of start nodes into sectors; with bounds, if the LowestCells at its angles are
   /// given.
   void AddSectors(Sector square, const std::vector<CellIndex>& cells) {
-    const int num_rows = NumRows(square.first.y, window_.num_linear_steps, start_height_);
+    const int num_rows = NumBlocks(square.first.y, window_.num_linear_steps, start_height_);
     BlockSums sums;
     if (!cells.empty()) {
       sums = SumBlocks(grids_.swept_at_height(start_height_), cells, square.first, num_rows);
@@ -231,8 +231,8 @@ class Search {
   /// for a trace, those that do not beat the best score are left out.
   void ScoreSquare(CellIndex first, CellIndex last, int angle_index, int height, int parent,
                    std::vector<Block>* blocks) {
-    const int num_rows = NumRows(first.y, last.y, height);
-    const int num_columns = NumRows(first.x, last.x, height);
+    const int num_rows = NumBlocks(first.y, last.y, height);
+    const int num_columns = NumBlocks(first.x, last.x, height);
     const BlockSums sums =
         SumBlocks(grids_.at_height(height), CellsAt(angle_index), first, num_rows);
     for (int j = 0; j < num_rows; ++j) {
@@ -249,9 +249,9 @@ class Search {
     }
   }
 
-  /// Of a square from `first_y` on, as far as they begin at `last_y` or before.
-  static int NumRows(int first_y, int last_y, int height) {
-    return std::min(kBlocksPerSide, ((last_y - first_y) >> height) + 1);
+  /// Along a side of a square from `first` on, as far as they begin at `last` or before.
+  static int NumBlocks(int first, int last, int height) {
+    return std::min(kBlocksPerSide, ((last - first) >> height) + 1);
   }
 
   const std::vector<CellIndex>& CellsAt(int angle_index) {

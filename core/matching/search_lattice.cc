@@ -53,22 +53,13 @@ namespace loopscope {
 
 HWY_EXPORT(CellsOfMovedHere);
 
-namespace {
-
-/// [m]
-double MaxRange(const PointCloud& points_in_scan) {
-  double max_range = 0.0;
+double AngularStep(const PointCloud& points_in_scan, double resolution) {
+  // A scan all of whose points are within a few cells has no use for larger steps.
+  double max_range = 3.0 * resolution;
   for (const Eigen::Vector2d& point : points_in_scan) {
     max_range = std::max(max_range, point.norm());
   }
-  return max_range;
-}
-
-}  // namespace
-
-double AngularStep(const PointCloud& points_in_scan, double resolution) {
-  // A scan all of whose points are within a few cells has no use for larger steps.
-  const double ratio = resolution / std::max(3.0 * resolution, MaxRange(points_in_scan));
+  const double ratio = resolution / max_range;
   return std::acos(1.0 - 0.5 * ratio * ratio);
 }
 
@@ -101,9 +92,11 @@ std::vector<CellIndex> CellsAtAngle(const SearchWindow& window, const PointCloud
 
 std::vector<CellIndex> LowestCells(const SearchWindow& window, const PointCloud& points_in_scan,
                                    int first_angle, int last_angle) {
-  // Each point moves on an arc; no farther than this from the line between its ends.
+  // Each point moves on an arc; no farther than this from the line between its ends. A step moves
+  // the farthest point by one cell.
+  const double max_range = 0.5 * window.resolution / std::sin(0.5 * window.angular_step);
   const double half_turn = 0.5 * (last_angle - first_angle) * window.angular_step;
-  const double max_sagitta = MaxRange(points_in_scan) * (1.0 - std::cos(half_turn));
+  const double max_sagitta = max_range * (1.0 - std::cos(half_turn));
   SearchWindow lower = window;
   lower.submap_from_scan_guess.translation.array() -= max_sagitta + 1e-9;
   std::vector<CellIndex> cells = CellsAtAngle(lower, points_in_scan, first_angle);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/views/chart_drawing.h"
 
+#include "render/layers/chart_layers.h"
 #include "render/layers/outline.h"
 #include "render/views/chart_plot.h"
 
@@ -24,6 +25,26 @@ void DrawMarks(const ChartData& data, const ChartPlot& plot, const std::set<int>
 }
 
 }  // namespace
+
+bool HasContent(const ChartSeries& series) {
+  return !series.points.empty() || !series.bars.empty();
+}
+
+LayerKeys KeysOf(const std::vector<const ChartData*>& charts, const Palette& palette) {
+  LayerKeys keys;
+  for (const ChartData* chart : charts) {
+    for (const ChartSeries& series : chart->series) {
+      if (!HasContent(series)) continue;
+      const Swatch::Kind kind = !series.bars.empty() ? Swatch::Kind::kFill
+                                : series.joined      ? Swatch::Kind::kLine
+                                                     : Swatch::Kind::kPoint;
+      keys.legend.push_back(
+          {LayerKind::kScan,
+           {{kind, ColorOf(series.subject, palette), palette.paper}, series.name}});
+    }
+  }
+  return keys;
+}
 
 void DrawChart(const ChartData& data, int panel, double width, Sheet* sheet,
                const std::set<int>& marked) {

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "render/charts/recording_charts.h"
-#include "render/layers/chart_layers.h"
 #include "render/number_text.h"
 #include "render/views/chart_drawing.h"
 #include "render/views/selection.h"
@@ -15,23 +14,6 @@
 
 namespace loopscope {
 namespace {
-
-bool HasContent(const ChartSeries& series) {
-  return !series.points.empty() || !series.bars.empty();
-}
-
-LayerKeys KeysOf(const ChartData& data, const Palette& palette) {
-  LayerKeys keys;
-  for (const ChartSeries& series : data.series) {
-    if (!HasContent(series)) continue;
-    const Swatch::Kind kind = !series.bars.empty() ? Swatch::Kind::kFill
-                              : series.joined      ? Swatch::Kind::kLine
-                                                   : Swatch::Kind::kPoint;
-    keys.legend.push_back(
-        {LayerKind::kScan, {{kind, ColorOf(series.subject, palette), palette.paper}, series.name}});
-  }
-  return keys;
-}
 
 /// How much a series holds.
 Fact FactOf(const ChartSeries& series) {
@@ -72,7 +54,7 @@ Scene BuildChartView(const Recording& recording, const ViewRequest& request, int
   const int step = StepOf(recording, request);
   const ChartData data = ChartOf(recording, request.chart, step);
   Sheet sheet(request, oversampling, Describe(recording, data, step),
-              KeysOf(data, PaletteOf(request.theme)));
+              KeysOf({&data}, PaletteOf(request.theme)));
   DrawChart(data, 0, sheet.OpenChart(0, {}), &sheet, MarkedCandidates(recording, request));
   return sheet.Finish();
 }

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "core/geometry/pose2.h"
 #include "core/io/recording_file.h"
 #include "core/io/tum_file.h"
 #include "render/picture.h"
@@ -210,7 +211,7 @@ TEST_F(CommandTest, SearchPrintsTheWholeTreeAsJson) {
   const int winner = json.at("winner");
   ASSERT_GE(winner, 0);
   EXPECT_EQ(nodes.at(winner).at("height"), 0);
-  EXPECT_NEAR(nodes.at(winner).at("bound"), json.at("score"), 1e-6);
+  EXPECT_EQ(Rounded(nodes.at(winner).at("bound").get<double>()), json.at("score"));
 }
 
 TEST_F(CommandTest, SearchRefusesPairsThatCannotBeSearched) {

@@ -22,7 +22,6 @@
 #include "core/simulation/simulate.h"
 #include "core/slam/slam.h"
 #include "render/headless/painter.h"
-#include "render/layers/chart_layers.h"
 #include "render/views/chart_drawing.h"
 #include "render/views/sheet.h"
 
@@ -202,22 +201,9 @@ ChartData ChartOf(const std::string& title, const std::string& unit,
   return data;
 }
 
-LayerKeys KeysOf(const std::vector<const ChartData*>& charts, const Palette& palette) {
-  LayerKeys keys;
-  for (const ChartData* chart : charts) {
-    for (const ChartSeries& series : chart->series) {
-      keys.legend.push_back(
-          {LayerKind::kScan,
-           {{Swatch::Kind::kLine, ColorOf(series.subject, palette), palette.paper}, series.name}});
-    }
-  }
-  return keys;
-}
-
 void WritePicture(const Growth& growth, const std::string& name, const std::string& path) {
   ViewRequest request;
-  request.layers = {LayerKind::kGrid, LayerKind::kTrajectory, LayerKind::kNodes, LayerKind::kScan,
-                    LayerKind::kLabels};
+  request.layers = {LayerKind::kGrid, LayerKind::kScan, LayerKind::kLabels};
   Annotation annotation;
   annotation.title = "What a node costs as the map grows";
   annotation.subtitle = {name};

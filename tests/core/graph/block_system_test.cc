@@ -24,15 +24,15 @@ struct Systems {
   Eigen::MatrixXd dense;
 };
 
-/// Four unknowns that are kept, all coupled, and leaves with one to three couplings; the last two
-/// unknowns are coupled with each other, and so are no leaves.
+/// Four submaps, all coupled, and nodes with one to three couplings to them; the last two nodes are
+/// coupled with each other too.
 Systems MakeSystems(int seed) {
-  constexpr int kFirstLeaf = 4;
+  constexpr int kFirstNode = 4;
   constexpr int kNumUnknowns = 12;
   Random random(seed);
   std::vector<BlockSystem::Coupling> couplings{{1, 0}, {2, 1}, {3, 2}};
-  for (int leaf = kFirstLeaf; leaf < kNumUnknowns; ++leaf) {
-    for (int i = 0; i <= random.Below(3); ++i) couplings.push_back({leaf, (leaf + i) % kFirstLeaf});
+  for (int node = kFirstNode; node < kNumUnknowns; ++node) {
+    for (int i = 0; i <= random.Below(3); ++i) couplings.push_back({node, (node + i) % kFirstNode});
   }
   couplings.push_back({kNumUnknowns - 1, kNumUnknowns - 2});
   Systems systems{std::make_unique<BlockSystem>(kNumUnknowns, couplings),
@@ -78,7 +78,7 @@ TEST(BlockSystem, TellsWhenItIsNotPositiveDefinite) {
   EXPECT_FALSE(systems.blocks->Factorize(none));
 }
 
-TEST(BlockSystem, TellsWhenALeafIsSingular) {
+TEST(BlockSystem, TellsWhenAnUnknownIsNotDetermined) {
   Systems systems = MakeSystems(1);
   systems.blocks->diagonal(6).setZero();
   EXPECT_FALSE(systems.blocks->Factorize(Eigen::VectorXd::Zero(systems.dense.rows())));

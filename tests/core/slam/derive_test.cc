@@ -280,7 +280,7 @@ TEST(ConstraintsOf, AreTheOnesThatTheLastOptimizationHeld) {
   // The poses were rounded.
   EXPECT_NEAR(SolveGraph(problem, options, 0).initial_cost,
               recording.optimizations().back().final_cost,
-              1e-4 * recording.optimizations().back().final_cost);
+              1e-6 * recording.optimizations().back().final_cost);
 }
 
 }  // namespace
