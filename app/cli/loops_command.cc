@@ -55,21 +55,39 @@ std::vector<Row> Ledger(const Recording& recording, const LoopsArguments& argume
   return rows;
 }
 
+/// Whether a search ended with a place, and not below min_score.
+bool HasPlace(const LoopCandidate& c) {
+  return c.verdict == Verdict::kAccepted || IsRefused(c.verdict);
+}
+
+/// Of the place found, seen from the guess: how far the search moved the node.
+Pose2 Moved(const LoopCandidate& c) {
+  return c.submap_from_node_guess.Inverse() * c.submap_from_node_searched;
+}
+double MovedMeters(const LoopCandidate& c) { return Moved(c).translation.norm(); }
+double MovedDegrees(const LoopCandidate& c) {
+  return RadiansToDegrees(std::abs(NormalizeAngle(Moved(c).rotation)));
+}
+
 double ResidualMeters(const Row& row) { return row.residual->head<2>().norm(); }
 double ResidualDegrees(const Row& row) { return RadiansToDegrees(std::abs(row.residual->z())); }
 
 void PrintTable(const std::vector<Row>& rows) {
-  fmt::print("{:>9} {:>10} {:>6} {:>6}  {:<12} {:>6} {:>6} {:>6} {:>7} {:>7} {:>5} {:>9} {:>9}\n",
-             "submap", "node", "scan", "in at", "verdict", "score", "needed", "bound", "win [m]",
-             "[deg]", "agree", "resid [m]", "[deg]");
+  constexpr char kColumns[] =
+      "{:>9} {:>10} {:>6} {:>6}  {:<12} {:>6} {:>6} {:>6} {:>7} {:>7} {:>9} {:>7} {:>5} {:>9} "
+      "{:>9}\n";
+  fmt::print(kColumns, "submap", "node", "scan", "in at", "verdict", "score", "needed", "bound",
+             "win [m]", "[deg]", "moved [m]", "[deg]", "agree", "resid [m]", "[deg]");
   for (const Row& row : rows) {
     const LoopCandidate& c = *row.candidate;
     fmt::print("{:>9} {:>10} {:>6} {:>6}  {:<12}", ToString(c.submap), ToString(c.node),
                c.considered_step, c.applied_step, ToString(c.verdict));
     if (c.verdict != Verdict::kNotSampled) {
-      fmt::print(" {:>6.3f} {:>6.3f} {:>6.3f} {:>7.2f} {:>7.2f} {:>5}", c.score, c.min_score,
-                 c.score_bound, c.linear_search_window, RadiansToDegrees(c.angular_search_window),
-                 c.num_supporters);
+      fmt::print(" {:>6.3f} {:>6.3f} {:>6.3f} {:>7.2f} {:>7.2f} {:>9} {:>7} {:>5}", c.score,
+                 c.min_score, c.score_bound, c.linear_search_window,
+                 RadiansToDegrees(c.angular_search_window),
+                 HasPlace(c) ? fmt::format("{:.2f}", MovedMeters(c)) : "",
+                 HasPlace(c) ? fmt::format("{:.2f}", MovedDegrees(c)) : "", c.num_supporters);
     }
     if (row.residual) fmt::print(" {:>9.3f} {:>9.2f}", ResidualMeters(row), ResidualDegrees(row));
     fmt::print("\n");
@@ -79,12 +97,14 @@ void PrintTable(const std::vector<Row>& rows) {
 void PrintCsv(const std::vector<Row>& rows) {
   fmt::print(
       "submap,node,considered_step,applied_step,verdict,score,min_score,score_bound,"
-      "linear_window_m,angular_window_deg,supporters,residual_m,residual_deg\n");
+      "linear_window_m,angular_window_deg,moved_m,moved_deg,supporters,residual_m,residual_deg\n");
   for (const Row& row : rows) {
     const LoopCandidate& c = *row.candidate;
-    fmt::print("{},{},{},{},{},{},{},{},{},{},{},", c.submap.index, c.node.index, c.considered_step,
-               c.applied_step, ToString(c.verdict), c.score, c.min_score, c.score_bound,
-               c.linear_search_window, RadiansToDegrees(c.angular_search_window), c.num_supporters);
+    fmt::print("{},{},{},{},{},{},{},{},{},{},{},{},", c.submap.index, c.node.index,
+               c.considered_step, c.applied_step, ToString(c.verdict), c.score, c.min_score,
+               c.score_bound, c.linear_search_window, RadiansToDegrees(c.angular_search_window),
+               HasPlace(c) ? fmt::format("{},{}", MovedMeters(c), MovedDegrees(c)) : ",",
+               c.num_supporters);
     if (row.residual) {
       fmt::print("{},{}\n", ResidualMeters(row), ResidualDegrees(row));
     } else {
@@ -108,6 +128,10 @@ void PrintJson(const std::vector<Row>& rows) {
       entry["score_bound"] = c.score_bound;
       entry["linear_window_m"] = c.linear_search_window;
       entry["angular_window_deg"] = RadiansToDegrees(c.angular_search_window);
+      if (HasPlace(c)) {
+        entry["moved_m"] = MovedMeters(c);
+        entry["moved_deg"] = MovedDegrees(c);
+      }
       entry["supporters"] = c.num_supporters;
     }
     if (row.residual) {

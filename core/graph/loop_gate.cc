@@ -31,6 +31,16 @@ LoopGate EvaluateLoopGate(const Pose2& submap_from_node_guess, const Eigen::Alig
   return gate;
 }
 
+double SamplingShare(double linear_window, double gap, const ConstraintBuilderOptions& options) {
+  constexpr double kLeastOfGap = 0.25;
+  const double full_window = options.full_sampling_search_window;
+  const double full_gap = options.full_sampling_gap;
+  double share = 1.0;
+  if (full_window > 0.0 && linear_window > full_window) share *= full_window / linear_window;
+  if (gap < full_gap) share *= std::max(gap / full_gap, kLeastOfGap);
+  return share;
+}
+
 double MinLoopScore(const std::vector<PlacedScan>& own_nodes, const ProbabilityGrid& grid,
                     const ConstraintBuilderOptions& options) {
   double sum = 0.0;

@@ -65,7 +65,7 @@ bool IsAtBorder(const LoopCandidate& found, double resolution) {
 
 struct LoopSearch::SearchedSubmap {
   ProbabilityGrid grid;
-  double num_considered = 0.0;  ///< pairs with a wide window count less
+  double num_considered = 0.0;  ///< pairs, by their sampling shares
   int num_sampled = 0;
 };
 
@@ -113,8 +113,8 @@ void LoopSearch::AddSubmap(SubmapId id, ProbabilityGrid grid) {
 }
 
 void LoopSearch::Consider(const LoopCandidate& candidate,
-                          std::shared_ptr<const RangeData> scan_in_node) {
-  if (Sample(candidate.linear_search_window, submaps_.at(candidate.submap).get())) {
+                          std::shared_ptr<const RangeData> scan_in_node, double sampling_share) {
+  if (Sample(sampling_share, submaps_.at(candidate.submap).get())) {
     SearchAlso(candidate, std::move(scan_in_node));
     return;
   }
@@ -167,10 +167,8 @@ std::vector<LoopCandidate> LoopSearch::Collect() {
   return candidates;
 }
 
-bool LoopSearch::Sample(double linear_search_window, SearchedSubmap* submap) const {
-  const double full = options_.full_sampling_search_window;
-  const bool is_wide = full > 0.0 && linear_search_window > full;
-  submap->num_considered += is_wide ? full / linear_search_window : 1.0;
+bool LoopSearch::Sample(double sampling_share, SearchedSubmap* submap) const {
+  submap->num_considered += sampling_share;
   if (submap->num_sampled >= options_.sampling_ratio * submap->num_considered) return false;
   ++submap->num_sampled;
   return true;

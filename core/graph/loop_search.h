@@ -42,8 +42,10 @@ class LoopSearch {
   /// Makes a finished submap known.
   void AddSubmap(SubmapId id, ProbabilityGrid grid);
 
-  /// Searches the pair of `candidate`, or leaves it if it is not its turn by sampling_ratio.
-  void Consider(const LoopCandidate& candidate, std::shared_ptr<const RangeData> scan_in_node);
+  /// Searches the pair of `candidate`, or leaves it if it is not its turn by sampling_ratio, where
+  /// it counts as `sampling_share` of a pair.
+  void Consider(const LoopCandidate& candidate, std::shared_ptr<const RangeData> scan_in_node,
+                double sampling_share = 1.0);
 
   /// Searches the pair of `candidate`, whether it is its turn or not.
   void SearchAlso(const LoopCandidate& candidate, std::shared_ptr<const RangeData> scan_in_node);
@@ -65,9 +67,8 @@ class LoopSearch {
   /// Hands searches in one submap to a thread.
   void Begin(std::vector<Pair> batch);
 
-  /// Whether it is the turn of a pair with `submap`: a share sampling_ratio of the calls says so,
-  /// or less if `linear_search_window` [m] is wide.
-  bool Sample(double linear_search_window, SearchedSubmap* submap) const;
+  /// Whether it is the turn of a pair with `submap`: a share sampling_ratio of the pairs says so.
+  bool Sample(double sampling_share, SearchedSubmap* submap) const;
 
   ConstraintBuilderOptions options_;
   std::map<SubmapId, std::unique_ptr<SearchedSubmap>> submaps_;

@@ -21,6 +21,23 @@ bool HaveSamePairs(const std::vector<Constraint>& a, const std::vector<Constrain
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), is_same);
 }
 
+/// Of the first `num_judged` constraints only those that are no outliers at the poses of the
+/// problem, and all others.
+GraphProblem WithoutKnownOutliers(const GraphProblem& problem, std::size_t num_judged,
+                                  const OutlierOptions& options) {
+  const auto is_outlier = [&](const Constraint& c) {
+    const Eigen::Vector3d residual =
+        SpaError(c.submap_from_node, problem.global_from_submap[c.submap.index],
+                 problem.global_from_node[c.node.index]);
+    return c.tag == Constraint::Tag::kInterSubmap && IsOutlier(residual, options);
+  };
+  GraphProblem rest = problem;
+  const auto judged_end = rest.constraints.begin() + static_cast<std::ptrdiff_t>(num_judged);
+  rest.constraints.erase(std::remove_if(rest.constraints.begin(), judged_end, is_outlier),
+                         judged_end);
+  return rest;
+}
+
 }  // namespace
 
 bool IsOutlier(const Eigen::Vector3d& residual, const OutlierOptions& options) {
@@ -29,24 +46,15 @@ bool IsOutlier(const Eigen::Vector3d& residual, const OutlierOptions& options) {
 }
 
 GraphProblem WithoutOutliers(const GraphProblem& problem, const OutlierOptions& options) {
-  const auto is_outlier = [&](const Constraint& c) {
-    const Eigen::Vector3d residual =
-        SpaError(c.submap_from_node, problem.global_from_submap[c.submap.index],
-                 problem.global_from_node[c.node.index]);
-    return c.tag == Constraint::Tag::kInterSubmap && IsOutlier(residual, options);
-  };
-  GraphProblem rest = problem;
-  rest.constraints.erase(
-      std::remove_if(rest.constraints.begin(), rest.constraints.end(), is_outlier),
-      rest.constraints.end());
-  return rest;
+  return WithoutKnownOutliers(problem, problem.constraints.size(), options);
 }
 
-GraphSolution SolveGraphWithoutOutliers(const GraphProblem& problem,
+GraphSolution SolveGraphWithoutOutliers(const GraphProblem& problem, std::size_t num_judged,
                                         const OptimizationProblemOptions& options,
                                         int max_num_iterations) {
-  GraphSolution solution = SolveGraph(problem, options, max_num_iterations);
-  std::vector<Constraint> solved = problem.constraints;
+  const GraphProblem first = WithoutKnownOutliers(problem, num_judged, options.outliers);
+  GraphSolution solution = SolveGraph(first, options, max_num_iterations);
+  std::vector<Constraint> solved = first.constraints;
   GraphProblem all = problem;
   for (int round = 0; round < kMaxRounds; ++round) {
     all.global_from_submap = solution.global_from_submap;

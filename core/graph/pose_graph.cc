@@ -7,8 +7,16 @@
 
 #include "core/graph/loop_gate.h"
 #include "core/graph/outliers.h"
+#include "core/graph/spa_cost.h"
 
 namespace loopscope {
+namespace {
+
+/// By how much the loops must have grown before those that were left out are tried again with all
+/// others: often enough to correct a wrong choice, so seldom that the cost of a loop stays bounded.
+constexpr std::size_t kJudgeAllGrowth = 2;
+
+}  // namespace
 
 PoseGraph::PoseGraph(const PoseGraphOptions& options, int num_threads)
     : options_(options),
@@ -96,16 +104,19 @@ void PoseGraph::Consider(SubmapId submap, NodeId node, double way, int step) {
   const NodeData& data = nodes_[node.index];
   if (!SearchesLoops() || data.scan->returns.empty() || LiesIn(data, submap)) return;
   const LoopCandidate candidate = CandidateOf(submap, node, way, step);
-  if (candidate.verdict != Verdict::kTooFar) loop_search_.Consider(candidate, data.scan);
+  if (candidate.verdict == Verdict::kTooFar) return;
+  const LoopCandidate narrowed = WithDriftShare(candidate, drift_share_);
+  const double gap = node.index == 0 ? 0.0 : node_ways_[node.index] - node_ways_[node.index - 1];
+  loop_search_.Consider(
+      narrowed, data.scan,
+      SamplingShare(narrowed.linear_search_window, gap, options_.constraint_builder));
 }
 
 LoopCandidate PoseGraph::CandidateOf(SubmapId submap, NodeId node, double way, int step) const {
   LoopCandidate candidate;
   candidate.submap_from_node_guess =
       global_from_submap_[submap.index].Inverse() * global_from_node_[node.index];
-  const LoopGate gate =
-      EvaluateLoopGate(candidate.submap_from_node_guess, submaps_[submap.index].node_box, way,
-                       options_.constraint_builder);
+  const LoopGate gate = GateOf(submap, candidate.submap_from_node_guess, way);
   candidate.verdict = gate.is_near ? Verdict::kNotSampled : Verdict::kTooFar;
   candidate.submap = submap;
   candidate.node = node;
@@ -114,6 +125,11 @@ LoopCandidate PoseGraph::CandidateOf(SubmapId submap, NodeId node, double way, i
   candidate.angular_search_window = gate.angular_window;
   candidate.min_score = submaps_[submap.index].min_loop_score;
   return candidate;
+}
+
+LoopGate PoseGraph::GateOf(SubmapId submap, const Pose2& submap_from_node_guess, double way) const {
+  return EvaluateLoopGate(submap_from_node_guess, submaps_[submap.index].node_box, way,
+                          options_.constraint_builder);
 }
 
 bool PoseGraph::OptimizationIsDue() const {
@@ -132,6 +148,7 @@ std::vector<LoopCandidate> PoseGraph::CollectLoops(int step) {
 
 void PoseGraph::TakeIn(std::vector<LoopCandidate>* candidates, int step) {
   RejectInconsistent(candidates);
+  MeasureDrift(*candidates);
   for (LoopCandidate& candidate : *candidates) {
     candidate.applied_step = step;
     if (candidate.verdict != Verdict::kAccepted) continue;
@@ -145,6 +162,33 @@ void PoseGraph::TakeIn(std::vector<LoopCandidate>* candidates, int step) {
   }
 }
 
+void PoseGraph::MeasureDrift(const std::vector<LoopCandidate>& candidates) {
+  std::map<SubmapId, std::vector<double>> ways;
+  for (const LoopCandidate& loop : candidates) {
+    if (loop.verdict != Verdict::kAccepted) continue;
+    std::vector<double>& ways_from_submap = ways[loop.submap];
+    if (ways_from_submap.empty()) ways_from_submap = travel_graph_.WaysFrom(loop.submap);
+    const Pose2 guess =
+        global_from_submap_[loop.submap.index].Inverse() * global_from_node_[loop.node.index];
+    const double way = ways_from_submap[nodes_[loop.node.index].first_submap.index];
+    drift_shares_.push_back(
+        DriftShareOf(guess, loop.submap_from_node, GateOf(loop.submap, guess, way)));
+  }
+}
+
+DriftShare PoseGraph::PredictedDriftShare() const {
+  std::vector<DriftShare> shares;
+  std::size_t num_loops = 0;
+  for (const Constraint& c : constraints_) {
+    if (c.tag != Constraint::Tag::kInterSubmap) continue;
+    const DriftShare& share = drift_shares_[num_loops++];
+    const Eigen::Vector3d residual = SpaError(
+        c.submap_from_node, global_from_submap_[c.submap.index], global_from_node_[c.node.index]);
+    if (!IsOutlier(residual, options_.optimization_problem.outliers)) shares.push_back(share);
+  }
+  return PredictDriftShare(shares, options_.constraint_builder.measured_drift);
+}
+
 void PoseGraph::LookAgain(int step) {
   if (!SearchesLoops()) return;
   std::map<SubmapId, std::vector<double>> ways;
@@ -156,7 +200,9 @@ void PoseGraph::LookAgain(int step) {
     if (ways_from_submap.empty()) ways_from_submap = travel_graph_.WaysFrom(submap);
     const LoopCandidate candidate =
         CandidateOf(submap, node, ways_from_submap[data.first_submap.index], step);
-    if (candidate.verdict != Verdict::kTooFar) loop_search_.SearchAlso(candidate, data.scan);
+    if (candidate.verdict != Verdict::kTooFar) {
+      loop_search_.SearchAlso(WithDriftShare(candidate, drift_share_), data.scan);
+    }
   }
   num_looked_at_ = finished_submaps_.size();
 }
@@ -258,12 +304,16 @@ LoopDrift PoseGraph::DriftOf(const LoopCandidate& candidate) const {
 }
 
 GraphSolution PoseGraph::Optimize(int max_num_iterations) {
-  return Adopt(SolveGraph(Problem(), options_.optimization_problem, max_num_iterations));
+  const bool judges_all = loop_drifts_.size() >= kJudgeAllGrowth * num_loops_when_all_were_judged_;
+  if (judges_all) return OptimizeAnew(max_num_iterations);
+  return Adopt(SolveGraphWithoutOutliers(Problem(), num_judged_, options_.optimization_problem,
+                                         max_num_iterations));
 }
 
-GraphSolution PoseGraph::OptimizeWithoutOutliers(int max_num_iterations) {
+GraphSolution PoseGraph::OptimizeAnew(int max_num_iterations) {
+  num_loops_when_all_were_judged_ = loop_drifts_.size();
   return Adopt(
-      SolveGraphWithoutOutliers(Problem(), options_.optimization_problem, max_num_iterations));
+      SolveGraphWithoutOutliers(Problem(), 0, options_.optimization_problem, max_num_iterations));
 }
 
 GraphProblem PoseGraph::Problem() const {
@@ -276,7 +326,9 @@ GraphSolution PoseGraph::Adopt(GraphSolution solution) {
   global_from_submap_ = solution.global_from_submap;
   global_from_node_ = solution.global_from_node;
   global_from_local_ = global_from_submap_.back() * submaps_.back().local_from_submap.Inverse();
+  drift_share_ = PredictedDriftShare();
   num_nodes_since_optimization_ = 0;
+  num_judged_ = constraints_.size();
   return solution;
 }
 

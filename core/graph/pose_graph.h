@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/graph/drift_share.h"
 #include "core/graph/graph_solver.h"
 #include "core/graph/loop_search.h"
 #include "core/graph/travel_graph.h"
@@ -44,15 +45,19 @@ class PoseGraph {
   /// up since the last call, by submap and node.
   std::vector<LoopCandidate> CollectLoops(int step);
 
-  /// Optimizes all poses, which become the estimate.
+  /// Optimizes all poses, which become the estimate, without loops that the others contradict, see
+  /// OutlierOptions. Those that were left out before are tried again only where they agree.
   GraphSolution Optimize(int max_num_iterations);
+
+  /// Likewise, for good: all loops are tried.
+  GraphSolution OptimizeAnew(int max_num_iterations);
+
+  /// Of their windows that searches take since the last optimization.
+  const DriftShare& drift_share() const { return drift_share_; }
 
   /// After the final optimization: searches all submaps of one place that no loop ties, and takes
   /// the loops found into the graph. All candidates, by submap and node.
   std::vector<LoopCandidate> LookLast(int step);
-
-  /// Likewise, for good: without loops that the others contradict, see OutlierOptions.
-  GraphSolution OptimizeWithoutOutliers(int max_num_iterations);
 
  private:
   bool SearchesLoops() const { return options_.optimize_every_n_nodes > 0; }
@@ -77,6 +82,11 @@ class PoseGraph {
   std::vector<LoopDrift> DriftsWith(const std::vector<LoopCandidate>& candidates) const;
   /// Turns the verdict on accepted candidates that too few others agree with.
   void RejectInconsistent(std::vector<LoopCandidate>* candidates) const;
+  /// Notes what drift the loops accepted took.
+  void MeasureDrift(const std::vector<LoopCandidate>& candidates);
+  /// Of the loops in force.
+  DriftShare PredictedDriftShare() const;
+  LoopGate GateOf(SubmapId submap, const Pose2& submap_from_node_guess, double way) const;
   LoopDrift DriftOf(const LoopCandidate& candidate) const;
   /// Sets off a loop search for the pair if it is near enough; `way` [m] from TravelGraph.
   void Consider(SubmapId submap, NodeId node, double way, int step);
@@ -99,7 +109,9 @@ class PoseGraph {
   std::size_t num_looked_at_ = 0;  ///< of finished_submaps_: those whose own pairs were collected
   std::vector<double> node_ways_;  ///< [m] that the robot had gone at each node
   double counted_way_ = 0.0;       ///< [m] to the last node, as CountedWay has it
-  std::vector<LoopDrift> loop_drifts_;  ///< of the loops that were accepted
+  std::vector<LoopDrift> loop_drifts_;    ///< of the loops that were accepted
+  std::vector<DriftShare> drift_shares_;  ///< likewise
+  DriftShare drift_share_;                ///< to search in
   SecondLook second_look_;
   TravelGraph travel_graph_;
   std::vector<Pose2> global_from_submap_;
@@ -107,6 +119,8 @@ class PoseGraph {
   Pose2 global_from_local_;
   std::vector<Constraint> constraints_;
   std::vector<ConsecutiveNodes> consecutive_nodes_;
+  std::size_t num_judged_ = 0;  ///< of constraints_: those of the last optimization
+  std::size_t num_loops_when_all_were_judged_ = 0;
   int num_nodes_since_optimization_ = 0;
   LoopSearch loop_search_;
 };

@@ -18,6 +18,12 @@ struct LoopAmbiguityOptions {
   bool refuse_at_border = false;  ///< winners at the border of the window: one beyond may be better
 };
 
+/// POSE_GRAPH.constraint_builder.measured_drift, not in Cartographer: search windows as large as
+/// the loops that were found before tell, see PredictDriftShare.
+struct MeasuredDriftOptions {
+  double min_window_share = 1.0;  ///< of the windows that would be searched otherwise; 1: off
+};
+
 /// POSE_GRAPH.constraint_builder.
 struct ConstraintBuilderOptions {
   double sampling_ratio = 0.3;  ///< share of the near pairs that are searched
@@ -38,9 +44,13 @@ struct ConstraintBuilderOptions {
   /// [m] Pairs with a wider linear search window are sampled less, in inverse proportion to it; not
   /// in Cartographer. 0: all alike.
   double full_sampling_search_window = 0.0;
+  /// [m] Nodes nearer to the one before are sampled less, in proportion to how far they are; not in
+  /// Cartographer. 0: all alike.
+  double full_sampling_gap = 0.0;
   double global_localization_min_score = 0.6;  ///< for searches of the whole submap
   double loop_closure_translation_weight = 1.1e4;
   double loop_closure_rotation_weight = 1e5;
+  MeasuredDriftOptions measured_drift;
   LoopAmbiguityOptions ambiguity;
   WallSidesOptions wall_sides;
   LoopConsistencyOptions consistency;
@@ -50,8 +60,8 @@ struct ConstraintBuilderOptions {
   CeresScanMatcherOptions ceres_scan_matcher{20.0, 10.0, 1.0, 10};
 };
 
-/// POSE_GRAPH.optimization_problem.outliers, not in Cartographer: loops that the final optimization
-/// leaves with a larger residual of eq. 5 are false, and are left out of it.
+/// POSE_GRAPH.optimization_problem.outliers, not in Cartographer: loops that an optimization leaves
+/// with a larger residual of eq. 5 are false, and are left out of it.
 struct OutlierOptions {
   double max_distance = 0.0;                 ///< [m]; 0: off
   double max_angle = DegreesToRadians(3.0);  ///< [rad]

@@ -72,9 +72,10 @@ class Hash {
            num_supporters, searched, refined);
   }
   void Add(const Optimization& optimization) {
-    const auto& [step, final, submaps, nodes, num_iterations, initial_cost, final_cost] =
-        optimization;
-    AddAll(step, final, submaps, nodes, num_iterations, initial_cost, final_cost);
+    const auto& [step, final, submaps, nodes, num_iterations, initial_cost, final_cost,
+                 drift_share] = optimization;
+    AddAll(step, final, submaps, nodes, num_iterations, initial_cost, final_cost,
+           drift_share.linear, drift_share.angular);
   }
   template <typename Value>
   void Add(const std::optional<Value>& value) {

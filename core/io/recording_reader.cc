@@ -113,8 +113,9 @@ class Reader {
       optimization.num_iterations = table.Int(3);
       optimization.initial_cost = table.Double(4);
       optimization.final_cost = table.Double(5);
+      optimization.drift_share = {table.Double(6), table.Double(7)};
       const std::string where = fmt::format("optimization of step {}", optimization.step);
-      const std::string bytes = table.Unpacked(6, kMaxChunkSize, where);
+      const std::string bytes = table.Unpacked(8, kMaxChunkSize, where);
       ByteReader in(bytes, path_, where);
       const Optimization* const last = optimizations_.empty() ? nullptr : &optimizations_.back();
       using Poses = std::vector<Pose2>;

@@ -80,6 +80,8 @@ CREATE TABLE optimization (
   num_iterations INTEGER NOT NULL,
   initial_cost NOT NULL,
   final_cost NOT NULL,
+  linear_drift_share NOT NULL,   -- of their windows that searches take from then on
+  angular_drift_share NOT NULL,
   data BLOB NOT NULL          -- zlib stream of global_from_submap, global_from_node, each packed as
                               -- in core/io/number_codec.h, predicted by the optimization before
 );

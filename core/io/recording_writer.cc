@@ -113,7 +113,8 @@ class RecordingWriter::Statements {
     PutPoses(optimization.global_from_node, last_global_from_node_, &bytes);
     RunWithBlob(insert_optimization_, Compress(bytes.bytes()), num_optimizations_++,
                 optimization.step, static_cast<int>(optimization.final),
-                optimization.num_iterations, optimization.initial_cost, optimization.final_cost);
+                optimization.num_iterations, optimization.initial_cost, optimization.final_cost,
+                optimization.drift_share.linear, optimization.drift_share.angular);
     last_global_from_submap_ = optimization.global_from_submap;
     last_global_from_node_ = optimization.global_from_node;
   }
@@ -124,8 +125,8 @@ class RecordingWriter::Statements {
   SQLite::Statement insert_submap_{database_, "INSERT INTO submap VALUES (?, ?, ?, ?, ?, ?)"};
   SQLite::Statement insert_node_{database_, "INSERT INTO node VALUES (?, ?, ?, ?, ?, ?, ?)"};
   SQLite::Statement insert_candidates_{database_, "INSERT INTO loop_candidates VALUES (?, ?)"};
-  SQLite::Statement insert_optimization_{database_,
-                                         "INSERT INTO optimization VALUES (?, ?, ?, ?, ?, ?, ?)"};
+  SQLite::Statement insert_optimization_{
+      database_, "INSERT INTO optimization VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"};
   int num_steps_ = 0;
   int num_submaps_ = 0;
   int num_optimizations_ = 0;

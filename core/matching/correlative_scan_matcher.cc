@@ -4,6 +4,8 @@
 
 #include <cassert>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include "core/matching/block_sums.h"
 #include "core/matching/search_lattice.h"
@@ -22,6 +24,19 @@ double DeltaPenalty(double distance, double angle, const CorrelativeScanMatcherO
   return std::exp(-delta * delta);
 }
 
+/// No mean is higher, even if it was rounded up.
+constexpr double kHighestMean = kMaxProbability + 1e-9;
+
+/// 0, -1, 1, -2, 2, ..., -last, last.
+std::vector<int> FromTheMiddle(int last) {
+  std::vector<int> angles = {0};
+  for (int angle = 1; angle <= last; ++angle) {
+    angles.push_back(-angle);
+    angles.push_back(angle);
+  }
+  return angles;
+}
+
 }  // namespace
 
 CorrelativeMatch MatchCorrelative(const PointCloud& points_in_scan, const ProbabilityGrid& grid,
@@ -34,15 +49,17 @@ CorrelativeMatch MatchCorrelative(const PointCloud& points_in_scan, const Probab
   const int radius = window.num_linear_steps;
   const int side = 2 * radius + 1;
   CorrelativeMatch best{submap_from_scan_guess, 0.0};
-  for (int angle = -window.num_angular_steps; angle <= window.num_angular_steps; ++angle) {
+  for (const int angle : FromTheMiddle(window.num_angular_steps)) {
+    const double turned = std::abs(angle) * window.angular_step;
+    if (kHighestMean * DeltaPenalty(0.0, turned, options) <= best.score) break;
     const std::vector<CellIndex> cells = CellsAtAngle(window, points_in_scan, angle);
     const std::vector<std::uint32_t> sums = SumShifted(grid, cells, radius);
     for (int k = 0; k < side * side; ++k) {
       const double mean = MeanProbability(sums[k], cells.size());
       if (mean <= best.score) continue;  // before any penalty
       const CellIndex offset{k % side - radius, k / side - radius};
-      const double penalty = DeltaPenalty(std::hypot(offset.x, offset.y) * window.resolution,
-                                          std::abs(angle) * window.angular_step, options);
+      const double penalty =
+          DeltaPenalty(std::hypot(offset.x, offset.y) * window.resolution, turned, options);
       if (mean * penalty > best.score) best = {PoseInWindow(window, offset, angle), mean * penalty};
     }
   }

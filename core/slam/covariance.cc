@@ -30,11 +30,7 @@ GraphProblem GraphOf(const Recording& recording, const MapState& state) {
       problem.consecutive_nodes.push_back(term);
     }
   }
-  const bool is_final =
-      state.num_optimizations > 0 && recording.optimizations()[state.num_optimizations - 1].final;
-  return is_final ? WithoutOutliers(problem,
-                                    recording.options().pose_graph.optimization_problem.outliers)
-                  : problem;
+  return WithoutOutliers(problem, recording.options().pose_graph.optimization_problem.outliers);
 }
 
 std::optional<Eigen::Matrix3d> CovarianceOfNode(const Recording& recording, const MapState& state,

@@ -126,6 +126,12 @@ double WayBetween(const Recording& recording, const MapState& state, SubmapId su
   return TravelGraphOf(recording, state).WaysFrom(from)[to.index];
 }
 
+/// Of their windows that searches took in `state`.
+DriftShare DriftShareIn(const Recording& recording, const MapState& state) {
+  if (state.num_optimizations == 0) return DriftShare{};
+  return recording.optimizations()[state.num_optimizations - 1].drift_share;
+}
+
 LoopGate GateIn(const MapState& state, const Recording& recording, SubmapId submap, NodeId node) {
   return EvaluateLoopGate(Guess(state, submap, node), NodeBox(recording, submap),
                           WayBetween(recording, state, submap, node),
@@ -186,7 +192,7 @@ LoopCandidate ConsiderPair(const Recording& recording, SubmapId submap, NodeId n
   candidate.angular_search_window = gate.angular_window;
   candidate.min_score = MinLoopScoreOf(recording, submap);
   candidate.verdict = gate.is_near ? Verdict::kNotSampled : Verdict::kTooFar;
-  return Rounded(candidate);
+  return Rounded(WithDriftShare(candidate, DriftShareIn(recording, state)));
 }
 
 }  // namespace loopscope

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -60,9 +61,24 @@ LoopCheck DistanceCheck(const LoopGate& gate, const ConstraintBuilderOptions& op
           gate.is_near};
 }
 
+/// Nothing if the search took all of its windows.
+std::optional<LoopCheck> WindowCheck(const LoopCandidate& candidate, const LoopGate& gate) {
+  const double linear = candidate.linear_search_window / gate.linear_window;
+  const double angular = candidate.angular_search_window / gate.angular_window;
+  constexpr double kRounding = 1e-3;
+  if (linear > 1.0 - kRounding && angular > 1.0 - kRounding) return std::nullopt;
+  return LoopCheck{
+      "search window",
+      fmt::format("{:.2f} m, {:.1f} deg: {:.0f} % and {:.0f} % of what the way allows, "
+                  "as loops before were off by less",
+                  candidate.linear_search_window, RadiansToDegrees(candidate.angular_search_window),
+                  100.0 * linear, 100.0 * angular),
+      "", true};
+}
+
 LoopCheck ScoreCheck(const LoopCandidate& candidate) {
   return {"score",
-          fmt::format("{:.3f} in a window of {:.1f} m, {:.1f} deg (no pose there scores more than "
+          fmt::format("{:.3f} in a window of {:.2f} m, {:.1f} deg (no pose there scores more than "
                       "{:.3f})",
                       candidate.score, candidate.linear_search_window,
                       RadiansToDegrees(candidate.angular_search_window), candidate.score_bound),
@@ -147,13 +163,14 @@ LoopExplanation ExplainLoop(const Recording& recording, SubmapId submap, NodeId 
   const LoopCandidate* const candidate = index ? &recording.candidates()[*index] : nullptr;
   const bool searched = candidate != nullptr && candidate->verdict != Verdict::kNotSampled;
   if (!list.Add({"sampled", searched ? "yes" : "no",
-                 fmt::format("a share of {} of the pairs{}", options.sampling_ratio,
+                 fmt::format("a share of {} of the pairs at most{}", options.sampling_ratio,
                              options.second_look.num_nodes > 0 ? ", or a second look" : ""),
                  searched},
                 "Not closed: the pair was near enough, but skipped by sampling_ratio. " +
                     (searched ? "" : WouldHaveMatched(recording, submap, node)))) {
     return list.explanation();
   }
+  if (const auto window = WindowCheck(*candidate, gate)) list.Add(*window, "");
   if (!list.Add(ScoreCheck(*candidate), "Not closed: nothing in the window matches well enough.") ||
       !list.Add(AmbiguityCheck(*candidate, options.ambiguity),
                 "Not closed: the scan fits at other places nearly as well.") ||

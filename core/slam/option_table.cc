@@ -217,6 +217,8 @@ Rows ConstraintBuilderRows(ConstraintBuilderOptions* o) {
        "Share by which a metre of way counts more for each metre, up to one, between nodes."},
       {"full_sampling_search_window", &o->full_sampling_search_window, 0, kMaxLength, "m",
        "Pairs with a wider search window are sampled less, in inverse proportion; 0: all alike."},
+      {"full_sampling_gap", &o->full_sampling_gap, 0, kMaxLength, "m",
+       "Nodes nearer to the one before are sampled less, in proportion; 0: all alike."},
       {"global_localization_min_score", &o->global_localization_min_score, 0, 1, "",
        "Likewise, for searches of a whole submap."},
       {"loop_closure_translation_weight", &o->loop_closure_translation_weight, 0, kMaxWeight, "1/m",
@@ -224,6 +226,12 @@ Rows ConstraintBuilderRows(ConstraintBuilderOptions* o) {
       {"loop_closure_rotation_weight", &o->loop_closure_rotation_weight, 0, kMaxWeight, "1/rad",
        "How stiff a loop closure is in heading."},
   };
+  Append(
+      "measured_drift.",
+      {{"min_window_share", &o->measured_drift.min_window_share, 0.01, 1, "",
+        "To what share search windows may shrink if loops found before took less; 1: off. Not in "
+        "Cartographer."}},
+      &rows);
   Append("ambiguity.", LoopAmbiguityRows(&o->ambiguity), &rows);
   Append(
       "wall_sides.",

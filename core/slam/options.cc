@@ -37,7 +37,10 @@ Options LoopscopePreset() {
   loops.angular_search_window_per_meter = DegreesToRadians(0.02);
   loops.search_window_growth_per_gap = 2.3;
   loops.max_linear_search_window = 20.0;
+  loops.sampling_ratio = 0.6;
   loops.full_sampling_search_window = 4.0;
+  loops.full_sampling_gap = 0.5;
+  loops.measured_drift.min_window_share = 0.3;
   loops.consistency.min_way = 0.5;
   loops.consistency.num_checked_neighbors = 6;
   loops.second_look.num_nodes = 4;

@@ -9,6 +9,7 @@
 
 #include "core/geometry/id.h"
 #include "core/geometry/pose2.h"
+#include "core/graph/drift_share.h"
 #include "core/graph/loop_candidate.h"
 #include "core/sensor/scan_log.h"
 #include "core/slam/options.h"
@@ -56,6 +57,7 @@ struct Optimization {
   int num_iterations = 0;
   double initial_cost = 0.0;
   double final_cost = 0.0;
+  DriftShare drift_share{};  ///< of their windows that searches take from then on
 };
 
 /// All that one scan caused, in the order of the fields.

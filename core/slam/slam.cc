@@ -20,14 +20,16 @@ Step ToStep(const LocalSlamResult& local) {
   return step;
 }
 
-Optimization ToOptimization(int scan, bool final, GraphSolution solution) {
+Optimization ToOptimization(int scan, bool final, GraphSolution solution,
+                            const DriftShare& drift_share) {
   return {scan,
           final,
           std::move(solution.global_from_submap),
           std::move(solution.global_from_node),
           solution.num_iterations,
           solution.initial_cost,
-          solution.final_cost};
+          solution.final_cost,
+          drift_share};
 }
 
 }  // namespace
@@ -83,22 +85,22 @@ void Slam::FinishSubmap(int scan, ActiveSubmap finished, SlamUpdate* update) {
 }
 
 Optimization Slam::Optimize(int scan) {
-  return ToOptimization(
-      scan, false,
-      pose_graph_.Optimize(options_.pose_graph.optimization_problem.max_num_iterations));
+  GraphSolution solution =
+      pose_graph_.Optimize(options_.pose_graph.optimization_problem.max_num_iterations);
+  return ToOptimization(scan, false, std::move(solution), pose_graph_.drift_share());
 }
 
 Optimization Slam::Finish(int scan, SlamUpdate* update) {
   const int max_num_iterations = options_.pose_graph.max_num_final_iterations;
-  const auto optimize = [&] { return pose_graph_.OptimizeWithoutOutliers(max_num_iterations); };
+  const auto optimize = [&] { return pose_graph_.OptimizeAnew(max_num_iterations); };
   if (options_.pose_graph.constraint_builder.last_look.num_nodes == 0) {
-    return ToOptimization(scan, true, optimize());
+    return ToOptimization(scan, true, optimize(), DriftShare{});
   }
   const GraphSolution first = pose_graph_.Optimize(max_num_iterations);
   for (const LoopCandidate& candidate : pose_graph_.LookLast(scan)) {
     update->candidates.push_back(candidate);
   }
-  return ToOptimization(scan, true, Continued(first, optimize()));
+  return ToOptimization(scan, true, Continued(first, optimize()), DriftShare{});
 }
 
 }  // namespace loopscope

@@ -221,7 +221,7 @@ TEST_F(CommandTest, SearchRefusesPairsThatCannotBeSearched) {
 }
 
 TEST_F(CommandTest, WhyAnswersWithItsExitCode) {
-  const ProgramRun far_away = Run("why run.loopscope --node 50 --submap 0");
+  const ProgramRun far_away = Run("why run.loopscope --node 53 --submap 0");
   EXPECT_EQ(far_away.exit_code, 1);
   EXPECT_THAT(far_away.out, HasSubstr("Not closed: too far apart"));
   const Recording recording = ReadRecording(folder_.Path("run.loopscope"));

@@ -113,6 +113,7 @@ class SmallRun {
     optimization.num_iterations = step;
     optimization.initial_cost = Any();
     optimization.final_cost = Any();
+    optimization.drift_share = {Any(), Any()};
     return optimization;
   }
 

@@ -68,6 +68,19 @@ TEST(LoopGate, LetsInWhatIsNearEnoughForTheDriftOfTheWay) {
   EXPECT_FALSE(GateAt(17.01, 0.0, 20.0).is_near);
 }
 
+TEST(SamplingShare, IsLessForWideWindowsAndForNodesThatHardlyMoved) {
+  ConstraintBuilderOptions options = Options();
+  EXPECT_EQ(SamplingShare(20.0, 0.01, options), 1.0) << "off";
+  options.full_sampling_search_window = 4.0;
+  EXPECT_EQ(SamplingShare(4.0, 0.01, options), 1.0);
+  EXPECT_DOUBLE_EQ(SamplingShare(16.0, 0.01, options), 0.25);
+  options.full_sampling_gap = 0.5;
+  EXPECT_EQ(SamplingShare(4.0, 0.5, options), 1.0);
+  EXPECT_DOUBLE_EQ(SamplingShare(4.0, 0.3, options), 0.6);
+  EXPECT_DOUBLE_EQ(SamplingShare(16.0, 0.3, options), 0.15);
+  EXPECT_DOUBLE_EQ(SamplingShare(4.0, 0.0, options), 0.25) << "it may have turned";
+}
+
 class MinLoopScoreInARoom : public ::testing::Test {
  protected:
   double MinScore(const std::vector<PlacedScan>& own_nodes) const {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/graph/pose_graph.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "tests/support/pose_matchers.h"
@@ -236,6 +238,44 @@ TEST(PoseGraph, SamplesPairsWithAWideWindowLess) {
   EXPECT_EQ(num_sampled(0.25 * window), 2);
 }
 
+/// Of loops of 40 nodes that drift by nothing, searched after an optimization, and before.
+std::vector<double> WindowsAfterTrueLoops(const PoseGraphOptions& options) {
+  ReturnToARoom run(options);
+  const auto come = [&] { run.AddNode(kFirst, SimulatedRoom().ScanAt(kFirst), 1); };
+  for (int i = 0; i < 40; ++i) come();
+  run.graph().CollectLoops(kStep);
+  run.graph().Optimize(50);
+  for (int i = 0; i < 8; ++i) come();
+  std::vector<double> windows;
+  for (const LoopCandidate& loop : run.graph().CollectLoops(kStep)) {
+    windows.push_back(loop.linear_search_window);
+  }
+  return windows;
+}
+
+TEST(PoseGraph, SearchesAsFarAsLoopsWereOff) {
+  const double window =
+      Options().constraint_builder.fast_correlative_scan_matcher.linear_search_window;
+  PoseGraphOptions options = Options();
+  EXPECT_THAT(WindowsAfterTrueLoops(options), ::testing::Each(window)) << "off";
+  options.constraint_builder.measured_drift.min_window_share = 0.5;
+  const std::vector<double> windows = WindowsAfterTrueLoops(options);
+  EXPECT_EQ(std::count(windows.begin(), windows.end(), 0.5 * window), 7);
+  EXPECT_EQ(std::count(windows.begin(), windows.end(), window), 1) << "to notice if drift grows";
+}
+
+TEST(PoseGraph, SamplesNodesThatHardlyMovedLess) {
+  PoseGraphOptions options = Options();
+  options.constraint_builder.full_sampling_gap = 0.5;
+  ReturnToARoom run(options);
+  for (int i = 0; i < 9; ++i) run.ComeTo(kFirst);  // the first of them has come some way
+  int num_searched = 0;
+  for (const LoopCandidate& candidate : run.graph().CollectLoops(kStep)) {
+    if (candidate.verdict != Verdict::kNotSampled) ++num_searched;
+  }
+  EXPECT_EQ(num_searched, 1 + 2);
+}
+
 TEST(PoseGraph, PullsTheMapTogetherWhereALoopIsClosed) {
   ReturnToARoom run(Options());
   run.ComeTo(kFirst);
@@ -244,6 +284,26 @@ TEST(PoseGraph, PullsTheMapTogetherWhereALoopIsClosed) {
   EXPECT_EQ(solution.global_from_submap[0], Pose2());
   EXPECT_THAT(solution.global_from_node[1], PoseNear(kFirst, 0.02, 0.01));
   EXPECT_THAT(solution.global_from_submap[1], PoseNear(Pose2(2.0, 0.8, 0.0), 0.05, 0.02));
+}
+
+TEST(PoseGraph, LeavesOutOnTheWayALoopThatLocalSlamAndOtherLoopsContradict) {
+  PoseGraphOptions options = Options();
+  options.optimization_problem.local_slam_pose_translation_weight = 1e4;
+  options.optimization_problem.local_slam_pose_rotation_weight = 1e4;
+  options.optimization_problem.huber_scale = 1e6;  // all pull with all their weight
+  const auto place_of_false_loop = [&](double max_distance) {
+    options.optimization_problem.outliers.max_distance = max_distance;
+    ReturnToARoom run(options);
+    for (int i = 0; i < 6; ++i) run.ComeTo(kFirst);
+    run.graph().CollectLoops(kStep);
+    run.graph().Optimize(50);
+    run.AddNode(kDrift * kSecond, SimulatedRoom().ScanAt(kSecond * Pose2(0.0, 0.5, 0.0)), 1);
+    for (int i = 0; i < 3; ++i) run.ComeTo(kSecond);
+    run.graph().CollectLoops(kStep);
+    return run.graph().Optimize(50).global_from_node[7];
+  };
+  EXPECT_THAT(place_of_false_loop(0.2), PoseNear(kSecond, 0.02, 0.01));
+  EXPECT_THAT(place_of_false_loop(0.0), ::testing::Not(PoseNear(kSecond, 0.05, 0.02))) << "off";
 }
 
 TEST(PoseGraph, PlacesWhatComesLaterByTheNewestSubmap) {

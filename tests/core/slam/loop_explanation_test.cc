@@ -46,6 +46,27 @@ TEST(ExplainLoop, PassesEveryCheckOfALoopThatWasClosed) {
   EXPECT_EQ(explanation.checks.back().what, "residual at the end");
 }
 
+TEST(ExplainLoop, TellsByHowMuchTheWindowWasNarrowed) {
+  const auto num_narrowed = [](double min_window_share) {
+    Options options = SmallLoopOptions();
+    options.pose_graph.constraint_builder.measured_drift.min_window_share = min_window_share;
+    const Recording recording = MapLog(SimulateSmallLoop().log, options);
+    int count = 0;
+    for (const LoopCandidate& candidate : recording.candidates()) {
+      if (candidate.verdict != Verdict::kAccepted) continue;
+      for (const LoopCheck& check :
+           ExplainLoop(recording, candidate.submap, candidate.node).checks) {
+        if (check.what != "search window") continue;
+        EXPECT_THAT(check.value, HasSubstr(": 40 % and "));
+        ++count;
+      }
+    }
+    return count;
+  };
+  EXPECT_GT(num_narrowed(0.4), 0);
+  EXPECT_EQ(num_narrowed(1.0), 0);
+}
+
 TEST(ExplainLoop, EndsWithTheScoreWhereItWasTooLow) {
   Options options = SmallLoopOptions();
   options.pose_graph.constraint_builder.min_score = 0.85;

@@ -87,6 +87,8 @@ const std::map<std::string, OptionValue> kOwn = {
     {"POSE_GRAPH.constraint_builder.linear_search_window_per_meter", 0.0},
     {"POSE_GRAPH.constraint_builder.angular_search_window_per_meter", 0.0},
     {"POSE_GRAPH.constraint_builder.full_sampling_search_window", 0.0},
+    {"POSE_GRAPH.constraint_builder.full_sampling_gap", 0.0},
+    {"POSE_GRAPH.constraint_builder.measured_drift.min_window_share", 1.0},
     {"POSE_GRAPH.constraint_builder.ambiguity.max_relative_score", 1.0},
     {"POSE_GRAPH.constraint_builder.consistency.min_num_supporters", 0.0},
     {"POSE_GRAPH.constraint_builder.consistency.num_checked_neighbors", 0.0},
