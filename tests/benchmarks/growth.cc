@@ -106,6 +106,7 @@ struct Sample {
 struct Growth {
   std::vector<Sample> samples;
   double final_seconds = 0.0;  ///< of processor time in the last scan, with the final optimization
+  double final_error = 0.0;    ///< [m] of the last node then, seen from the first
 };
 
 /// [m] of the last node, which is that of a scan at `time`, seen from the first.
@@ -146,6 +147,8 @@ Growth MapAndMeasure(const Simulation& simulation) {
     const double took = ProcessorSeconds() - before;
     if (scan + 1 == static_cast<int>(log.scans.size())) {
       growth.final_seconds = took;
+      growth.final_error =
+          ErrorOf(*update.optimization, simulation.ground_truth, log.scans[scan].time);
       break;
     }
     seconds += took;
@@ -233,8 +236,8 @@ int Run(int argc, char** argv) {
   }
   const Simulation simulation = SimulateStreet(std::atof(argv[1]));
   const Growth growth = MapAndMeasure(simulation);
-  std::cout << fmt::format("last scan, with the final optimization: {:.1f} s\n",
-                           growth.final_seconds);
+  std::cout << fmt::format("last scan, with the final optimization: {:.1f} s, then {:.2f} m off\n",
+                           growth.final_seconds, growth.final_error);
   if (argc == 3) WritePicture(growth, simulation.log.name, argv[2]);
   return 0;
 }
