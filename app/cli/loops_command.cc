@@ -158,6 +158,16 @@ int RunLoops(const LoopsArguments& arguments) {
   return 0;
 }
 
+constexpr char kColumns[] =
+    "Columns: scan: after which the pair came up. in at: the scan after which the result entered "
+    "the\n"
+    "graph. needed: the score to beat. bound: no pose in the window scores more. win, [deg]: half "
+    "the\n"
+    "window, each way from where the map had the node. moved, [deg]: from there to where the "
+    "search\n"
+    "found it. agree: other nodes with loops that say the same. resid, [deg]: of eq. 5, at the "
+    "end.";
+
 std::vector<std::string> NamesOfVerdicts() {
   std::vector<std::string> names;
   for (const Verdict verdict : kRecordedVerdicts) names.push_back(ToString(verdict));
@@ -169,6 +179,7 @@ std::vector<std::string> NamesOfVerdicts() {
 void AddLoopsCommand(CLI::App* app, int* exit_code) {
   CLI::App* const command = app->add_subcommand(
       "loops", "List every pair of node and submap that came up for a loop, and what became of it");
+  command->footer(kColumns);
   const auto arguments = std::make_shared<LoopsArguments>();
   AddRunArgument(command, &arguments->run);
   command->add_option("--verdict", arguments->verdict, "Only pairs with this verdict")

@@ -249,6 +249,27 @@ TEST_F(CommandTest, LoopsListsTheSamePairsInEveryFormat) {
   EXPECT_EQ(nlohmann::json::parse(Run("loops run.loopscope --json").out).size(), num_candidates);
 }
 
+TEST_F(CommandTest, LoopsTellHowFarASearchMovedTheNode) {
+  const Recording recording = ReadRecording(folder_.Path("run.loopscope"));
+  const auto json = nlohmann::json::parse(Run("loops run.loopscope --json").out);
+  double most_degrees = 0.0;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const LoopCandidate& candidate = recording.candidates()[i];
+    ASSERT_EQ(json[i].contains("moved_m"),
+              candidate.verdict == Verdict::kAccepted || IsRefused(candidate.verdict));
+    if (!json[i].contains("moved_m")) continue;
+    const double moved = json[i].at("moved_m");
+    EXPECT_NEAR(moved,
+                (candidate.submap_from_node_searched.translation -
+                 candidate.submap_from_node_guess.translation)
+                    .norm(),
+                1e-9);
+    most_degrees = std::max(most_degrees, json[i].at("moved_deg").get<double>());
+  }
+  EXPECT_GT(most_degrees, 0.1);
+  EXPECT_LT(most_degrees, 5.0);
+}
+
 TEST_F(CommandTest, EvaluateMeasuresAgainstRelationsAndReference) {
   const std::string truth = LOOPSCOPE_SOURCE_DIR "/datasets/office";
   const ProgramRun run = Run("evaluate run.loopscope " + truth + ".tum --json --reference " +
