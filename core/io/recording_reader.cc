@@ -31,8 +31,10 @@ class Reader {
     sqlite3_limit(database_.getHandle(), SQLITE_LIMIT_LENGTH, static_cast<int>(kMaxChunkSize));
   }
 
+  int Version() { return database_.execAndGet("PRAGMA user_version").getInt(); }
+
   void CheckVersion() {
-    const int version = database_.execAndGet("PRAGMA user_version").getInt();
+    const int version = Version();
     if (version > kRecordingSchemaVersion) {
       throw FileError(path_, fmt::format("recording of schema {}, made by a newer Loopscope; "
                                          "expected at most {}",
@@ -102,7 +104,11 @@ class Reader {
   }
 
   void ReadOptimizations() {
-    SqliteTable table = Open("optimization", "SELECT * FROM optimization ORDER BY id");
+    const std::string drift_shares =
+        Version() < 2 ? "1.0, 1.0" : "linear_drift_share, angular_drift_share";
+    SqliteTable table =
+        Open("optimization", "SELECT id, step, final, num_iterations, initial_cost, final_cost, " +
+                                 drift_shares + ", data FROM optimization ORDER BY id");
     while (table.Next()) {
       if (table.Int(0) != static_cast<int>(optimizations_.size())) {
         Fail("optimizations are missing");

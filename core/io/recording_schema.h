@@ -10,7 +10,8 @@ namespace loopscope {
 constexpr int kRecordingApplicationId = 0x4c6f6f70;
 
 /// PRAGMA user_version. A reader takes all versions up to its own.
-constexpr int kRecordingSchemaVersion = 1;
+/// 2: table optimization has drift shares.
+constexpr int kRecordingSchemaVersion = 2;
 
 /// The statements that make the tables of an empty recording, with their documentation, which
 /// SQLite keeps: `sqlite3 run.loopscope .schema` shows it.

@@ -186,13 +186,30 @@ TEST(RecordingFile, ThrowsIfTheFileIsNoRecording) {
   EXPECT_THAT(MessageOf([&] { ReadRecording(folder.Path("none")); }), HasSubstr("no such file"));
 }
 
+TEST(RecordingFile, ReadsTheFirstSchemaWhichHadNoDriftShares) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Path("a.loopscope");
+  Write(path, SmallRun(25));
+  const Recording written = ReadRecording(path);
+  Execute(path,
+          "ALTER TABLE optimization DROP COLUMN linear_drift_share;"
+          "ALTER TABLE optimization DROP COLUMN angular_drift_share;"
+          "PRAGMA user_version = 1");
+  const Recording read = ReadRecording(path);
+  ASSERT_GT(read.optimizations().size(), 0u);
+  ASSERT_EQ(read.optimizations().size(), written.optimizations().size());
+  EXPECT_EQ(read.optimizations()[0].drift_share.linear, 1.0);
+  EXPECT_EQ(read.optimizations()[0].drift_share.angular, 1.0);
+  EXPECT_EQ(read.optimizations()[0].global_from_node, written.optimizations()[0].global_from_node);
+}
+
 TEST(RecordingFile, ThrowsIfTheSchemaIsNewer) {
   const TemporaryFolder folder;
   const std::string path = folder.Path("a.loopscope");
   Write(path, SmallRun(3));
-  Execute(path, "PRAGMA user_version = 2");
+  Execute(path, "PRAGMA user_version = 3");
   EXPECT_EQ(MessageOf([&] { ReadRecording(path); }),
-            path + ": recording of schema 2, made by a newer Loopscope; expected at most 1");
+            path + ": recording of schema 3, made by a newer Loopscope; expected at most 2");
 }
 
 TEST(RecordingFile, ThrowsIfItIsInconsistent) {
