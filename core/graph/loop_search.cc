@@ -9,8 +9,11 @@ namespace loopscope {
 
 namespace {
 
-/// Larger ones make fewer grids, but keep the threads waiting for longer.
+/// Larger ones ask for matchers less often, but keep the threads waiting for longer.
 constexpr std::size_t kBatchSize = 32;
+
+/// Of precomputed grids that are kept: those of some 30 submaps.
+constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
 
 /// Of a pose far from the one found that scores nearly as well; 0 if there is none.
 double RivalScore(const LoopCandidate& found, const PointCloud& points_in_node,
@@ -104,7 +107,9 @@ Constraint ToConstraint(const LoopCandidate& accepted, const ConstraintBuilderOp
 }
 
 LoopSearch::LoopSearch(const ConstraintBuilderOptions& options, int num_threads)
-    : options_(options), pool_(num_threads) {}
+    : options_(options),
+      matchers_(kMaxBytes, options.fast_correlative_scan_matcher.branch_and_bound_depth),
+      pool_(num_threads) {}
 
 LoopSearch::~LoopSearch() = default;
 
@@ -139,14 +144,14 @@ void LoopSearch::Search(LoopCandidate* candidate, std::shared_ptr<const RangeDat
 
 void LoopSearch::Begin(std::vector<Pair> batch) {
   if (batch.empty()) return;
-  const SearchedSubmap* const submap = submaps_.at(batch.front().candidate->submap).get();
-  pool_.Add([this, submap, pairs = std::move(batch)] {
-    const BranchAndBoundMatcher matcher(
-        submap->grid, options_.fast_correlative_scan_matcher.branch_and_bound_depth);
+  const SubmapId id = batch.front().candidate->submap;
+  const ProbabilityGrid* const grid = &submaps_.at(id)->grid;
+  pool_.Add([this, id, grid, pairs = std::move(batch)] {
+    const auto matcher = matchers_.MatcherOf(id, *grid);
     for (const Pair& pair : pairs) {
-      *pair.candidate =
-          SearchLoop(*pair.candidate, *pair.scan_in_node, submap->grid, matcher, options_);
+      *pair.candidate = SearchLoop(*pair.candidate, *pair.scan_in_node, *grid, *matcher, options_);
     }
+    matchers_.Trim();
   });
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/graph/constraint.h"
 #include "core/graph/loop_candidate.h"
+#include "core/graph/matcher_cache.h"
 #include "core/graph/pose_graph_options.h"
 #include "core/graph/task_pool.h"
 #include "core/grid/probability_grid.h"
@@ -73,9 +74,9 @@ class LoopSearch {
   ConstraintBuilderOptions options_;
   std::map<SubmapId, std::unique_ptr<SearchedSubmap>> submaps_;
   std::vector<std::unique_ptr<LoopCandidate>> pending_;
-  /// Searches that wait for more in the same submap: precomputed grids take more memory than all
-  /// else, so they are made for a batch and then dropped.
+  /// Searches that wait for more in the same submap, so that its precomputed grids serve them all.
   std::map<SubmapId, std::vector<Pair>> batches_;
+  MatcherCache matchers_;
   TaskPool pool_;
 };
 

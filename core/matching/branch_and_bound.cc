@@ -339,6 +339,8 @@ BranchAndBoundMatcher::BranchAndBoundMatcher(const ProbabilityGrid& grid, int de
 
 BranchAndBoundMatcher::~BranchAndBoundMatcher() = default;
 
+std::size_t BranchAndBoundMatcher::num_bytes() const { return grids_->num_bytes(); }
+
 SearchOutcome BranchAndBoundMatcher::Search(const PointCloud& points_in_scan,
                                             const Pose2& submap_from_scan_guess,
                                             double linear_window, double angular_window,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 
@@ -60,6 +61,9 @@ class BranchAndBoundMatcher {
   /// Searches every place in the submap at every angle.
   SearchOutcome SearchWholeSubmap(const PointCloud& points_in_scan, double min_score,
                                   SearchTrace* trace = nullptr) const;
+
+  /// Of the precomputed grids that searches asked for until now.
+  std::size_t num_bytes() const;
 
  private:
   std::unique_ptr<PrecomputedGrids> grids_;

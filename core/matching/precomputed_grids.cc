@@ -139,7 +139,11 @@ void PrecomputedGrid::SetRow(int y, std::vector<std::uint8_t>* line,
 }
 
 PrecomputedGrids::PrecomputedGrids(const ProbabilityGrid& grid, int depth)
-    : resolution_(grid.resolution()), finest_(grid), coarser_(depth - 1), swept_(depth - 1) {}
+    : resolution_(grid.resolution()),
+      finest_(grid),
+      coarser_(depth - 1),
+      swept_(depth - 1),
+      num_bytes_(finest_.num_bytes()) {}
 
 const PrecomputedGrid& PrecomputedGrids::at_height(int height) const {
   return height == 0 ? finest_ : Made(&coarser_[height - 1], height, 0);
@@ -152,6 +156,7 @@ const PrecomputedGrid& PrecomputedGrids::swept_at_height(int height) const {
 const PrecomputedGrid& PrecomputedGrids::Made(Coarser* coarser, int height, int sweep) const {
   std::call_once(coarser->made, [&] {
     coarser->grid = std::make_unique<const PrecomputedGrid>(finest_, height, sweep);
+    num_bytes_ += coarser->grid->num_bytes();
   });
   return *coarser->grid;
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -56,6 +58,7 @@ class PrecomputedGrid {
   /// Of all images. The first of a window of kStripStep rows and columns, whose rows are
   /// kStripWidth apart, is at PlaceOf; it may begin less than kStripStep outside of its phase.
   const std::uint8_t* bytes() const { return values_.data(); }
+  std::size_t num_bytes() const { return values_.size(); }
   std::ptrdiff_t PlaceOf(int x_phase, int y_phase, int column, int row) const {
     // Strip 0 begins at column -kStripStep; so many rows of zeros stand before each.
     const std::ptrdiff_t phase = (static_cast<std::ptrdiff_t>(y_phase) << height_) + x_phase;
@@ -87,6 +90,8 @@ class PrecomputedGrids {
   const PrecomputedGrid& at_height(int height) const;
   /// Of heights from 3 on.
   const PrecomputedGrid& swept_at_height(int height) const;
+  /// Of those made so far.
+  std::size_t num_bytes() const { return num_bytes_; }
 
   /// The mean probability that `sum` of 8-bit values over `num_points` stands for.
   static double MeanProbability(int sum, int num_points) {
@@ -105,6 +110,7 @@ class PrecomputedGrids {
   PrecomputedGrid finest_;
   mutable std::vector<Coarser> coarser_;  ///< of heights 1, 2, ...
   mutable std::vector<Coarser> swept_;
+  mutable std::atomic<std::size_t> num_bytes_;
 };
 
 }  // namespace loopscope
