@@ -24,7 +24,7 @@ PoseGraph::PoseGraph(const PoseGraphOptions& options, int num_threads)
       loop_search_(options.constraint_builder, num_threads) {}
 
 void PoseGraph::AddSubmap(const Pose2& local_from_submap) {
-  submaps_.push_back({local_from_submap, NodeId{static_cast<int>(nodes_.size())}, 0, {}, 0.0, 0.0});
+  submaps_.push_back({local_from_submap, NodeId{static_cast<int>(nodes_.size())}, 0, {}, 0.0, 0.0, {}});
   global_from_submap_.push_back(global_from_local_ * local_from_submap);
 }
 
@@ -77,6 +77,7 @@ void PoseGraph::AddConsecutive(NodeId id) {
 
 void PoseGraph::FinishSubmap(SubmapId id, ProbabilityGrid grid, int step) {
   submaps_[id.index].min_loop_score = MinLoopScoreOf(id, grid);
+  submaps_[id.index].seen.emplace(grid);
   loop_search_.AddSubmap(id, std::move(grid));
   finished_submaps_.push_back(id);
   const std::vector<double> ways = travel_graph_.WaysFrom(id);
@@ -231,7 +232,8 @@ std::vector<SubmapPlace> PoseGraph::FinishedPlaces(std::size_t num_submaps) cons
     const SubmapId id = finished_submaps_[i];
     const SubmapData& data = submaps_[id.index];
     places.push_back(
-        {id, global_from_submap_[id.index], data.node_box, data.first_node, data.num_nodes});
+        {id, global_from_submap_[id.index], data.node_box, data.first_node, data.num_nodes,
+         &*data.seen});
   }
   return places;
 }

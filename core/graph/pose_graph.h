@@ -101,6 +101,7 @@ class PoseGraph {
     Eigen::AlignedBox2d node_box;  ///< around its nodes, in its frame
     double min_loop_score = 0.0;   ///< once it is finished
     double counted_way = 0.0;      ///< [m] to its first node, as CountedWay has it
+    std::optional<SeenArea> seen;  ///< once it is finished
   };
 
   std::vector<NodeData> nodes_;

@@ -87,9 +87,15 @@ struct SamePlace {
       const double way = node_ways[node.index];
       if (way > first_way - options.min_way && way < last_way + options.min_way) continue;
       const Eigen::Vector2d place = submap_from_global * global_from_node[node.index].translation;
-      if (submap.node_box.exteriorDistance(place) <= options.max_distance) nodes.push_back(node);
+      if (submap.node_box.exteriorDistance(place) > options.max_distance) continue;
+      if (IsSeen(submap, place)) nodes.push_back(node);
     }
     return nodes;
+  }
+
+  bool IsSeen(const SubmapPlace& submap, const Eigen::Vector2d& place) const {
+    return options.max_unseen_distance == 0.0 ||
+           submap.seen->DistanceTo(place) <= options.max_unseen_distance;
   }
 };
 

@@ -11,6 +11,7 @@
 
 #include "core/geometry/id.h"
 #include "core/geometry/pose2.h"
+#include "core/graph/seen_area.h"
 
 namespace loopscope {
 
@@ -19,6 +20,8 @@ namespace loopscope {
 struct SecondLookOptions {
   int num_nodes = 0;          ///< that are searched in a submap of the same place; 0: off
   double max_distance = 3.0;  ///< [m] between a node and the box around the nodes of the submap
+  /// [m] between a node and what the submap has seen of free space; 0: any.
+  double max_unseen_distance = 0.0;
   double min_way = 20.0;      ///< [m] that the robot went from one to the other
   double min_distance = 2.0;  ///< [m] by which optimizations moved the two since the last look
 };
@@ -38,6 +41,7 @@ struct SubmapPlace {
   Eigen::AlignedBox2d node_box;  ///< around its nodes, in its frame
   NodeId first_node;
   int num_nodes = 0;
+  const SeenArea* seen = nullptr;  ///< not null
 };
 
 /// Finds submaps of the same place that no loop ties, each time that optimizations have moved them.

@@ -181,6 +181,8 @@ Rows SecondLookRows(SecondLookOptions* o) {
        "none."},
       {"max_distance", &o->max_distance, 0, kMaxLength, "m",
        "Between a node and the box around the nodes of the submap, for a second look."},
+      {"max_unseen_distance", &o->max_unseen_distance, 0, kMaxLength, "m",
+       "Between a node and what the submap has seen of free space, for a second look; 0: any."},
       {"min_way", &o->min_way, 0, 1e6, "m",
        "That the robot went from one to the other, for a second look."},
       {"min_distance", &o->min_distance, 0, kMaxLength, "m",

@@ -44,6 +44,7 @@ Options LoopscopePreset() {
   loops.consistency.min_way = 0.5;
   loops.consistency.num_checked_neighbors = 6;
   loops.second_look.num_nodes = 4;
+  loops.second_look.max_unseen_distance = 0.3;
   loops.last_look.num_nodes = 12;
   loops.last_look.min_score_factor = 0.8;
   loops.loop_closure_rotation_weight = 1e4;

@@ -17,8 +17,8 @@ class SecondLookTest : public ::testing::Test {
  protected:
   SecondLookTest() {
     const Eigen::AlignedBox2d box(Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(9.0, 0.0));
-    submaps_ = {{SubmapId{0}, Pose2(), box, NodeId{0}, 10},
-                {SubmapId{5}, Pose2(), box, NodeId{10}, 10}};
+    submaps_ = {{SubmapId{0}, Pose2(), box, NodeId{0}, 10, &seen_},
+                {SubmapId{5}, Pose2(), box, NodeId{10}, 10, &seen_}};
     for (int i = 0; i < 20; ++i) {
       global_from_node_.emplace_back(i % 10, 0.0, 0.0);
       node_ways_.push_back(i < 10 ? i : 90.0 + i);
@@ -36,6 +36,17 @@ class SecondLookTest : public ::testing::Test {
     return look->Choose(submaps_, global_from_node_, node_ways_);
   }
 
+  /// Each sees the first 4 m of the way.
+  static ProbabilityGrid SeenGrid() {
+    ProbabilityGrid grid(0.05);
+    std::vector<CellIndex> cells;
+    for (int x = 0; x <= 80; ++x) cells.push_back({x, 0});
+    grid.GrowToInclude(BoxOf(cells));
+    grid.Update(cells, OddsUpdate(0.4));
+    return grid;
+  }
+
+  const SeenArea seen_{SeenGrid()};
   SecondLookOptions options_;
   std::vector<SubmapPlace> submaps_;
   std::vector<Pose2> global_from_node_;
@@ -55,6 +66,15 @@ TEST_F(SecondLookTest, TakesOnlyNodesThatAreNear) {
   for (int i = 0; i < 10; ++i) global_from_node_[i] = Pose2(0.0, -3.1, 0.0);
   SecondLook look(options_);
   EXPECT_THAT(Choose(&look), ElementsAre(PairOf(0, 10)));
+}
+
+TEST_F(SecondLookTest, TakesOnlyNodesAtPlacesThatTheSubmapHasSeen) {
+  options_.max_unseen_distance = 0.3;
+  options_.num_nodes = 10;
+  SecondLook look(options_);
+  EXPECT_THAT(Choose(&look), ElementsAre(PairOf(0, 10), PairOf(0, 11), PairOf(0, 12), PairOf(0, 13),
+                                         PairOf(0, 14), PairOf(5, 0), PairOf(5, 1), PairOf(5, 2),
+                                         PairOf(5, 3), PairOf(5, 4)));
 }
 
 TEST_F(SecondLookTest, LeavesWhatALoopTies) {
