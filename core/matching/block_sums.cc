@@ -84,29 +84,30 @@ void SumRowsOfWindows(const std::uint8_t* bytes, const std::int32_t* windows,
 using WindowBytes = hn::CappedTag<std::uint8_t, 4 * PrecomputedGrid::kStripWidth>;
 constexpr int kVectorRows = hn::MaxLanes(WindowBytes()) / PrecomputedGrid::kStripWidth;
 
-/// Adds kVectorRows rows of each window, even and odd columns by themselves, in 16 bits. Windows
-/// begin so far after `bytes`.
+/// Adds kVectorRows rows of each window, in 16 bits. Windows begin so far after `bytes`.
+///
+/// Two windows are taken at once: the bytes a and b that they have of a block become a word
+/// a + 256 b. Modulo 2^16 the words add up to A + 256 B, their upper bytes to B, which is all it
+/// takes: A + B = (A + 256 B) - 255 B.
 void SumRowsOfWindows(const std::uint8_t* bytes, const std::int32_t* windows,
                       std::size_t num_windows, std::int32_t* sums) {
   const hn::Repartition<std::uint16_t, WindowBytes> words;
-  const auto low_byte = hn::Set(words, 0xff);
-  auto even_sums = hn::Zero(words);
-  auto odd_sums = hn::Zero(words);
-  for (std::size_t i = 0; i < num_windows; ++i) {
-    const auto pairs = hn::BitCast(words, hn::LoadU(WindowBytes(), bytes + windows[i]));
-    even_sums = hn::Add(even_sums, hn::And(pairs, low_byte));
-    odd_sums = hn::Add(odd_sums, hn::ShiftRight<8>(pairs));
-  }
-  constexpr int kHalf = PrecomputedGrid::kStripWidth / 2;
-  HWY_ALIGN std::uint16_t even[kVectorRows * kHalf];
-  HWY_ALIGN std::uint16_t odd[kVectorRows * kHalf];
-  hn::Store(even_sums, words, even);
-  hn::Store(odd_sums, words, odd);
-  for (int k = 0; k < kVectorRows * kBlocksPerSide; k += 2) {
-    const int from = k / kBlocksPerSide * kHalf + k % kBlocksPerSide / 2;
-    sums[k] += even[from];
-    sums[k + 1] += odd[from];
-  }
+  auto word_sums = hn::Zero(words);
+  auto upper_sums = hn::Zero(words);
+  const auto add = [&](auto first, auto second) HWY_ATTR {
+    const auto pairs = hn::BitCast(words, hn::InterleaveLower(WindowBytes(), first, second));
+    word_sums = hn::Add(word_sums, pairs);
+    upper_sums = hn::Add(upper_sums, hn::ShiftRight<8>(pairs));
+  };
+  const auto rows_of = [&](std::size_t i)
+                           HWY_ATTR { return hn::LoadU(WindowBytes(), bytes + windows[i]); };
+  std::size_t i = 0;
+  for (; i + 2 <= num_windows; i += 2) add(rows_of(i), rows_of(i + 1));
+  if (i < num_windows) add(rows_of(i), hn::Zero(WindowBytes()));
+  const auto both = hn::Add(hn::Sub(word_sums, hn::ShiftLeft<8>(upper_sums)), upper_sums);
+  HWY_ALIGN std::uint16_t totals[kVectorRows * kBlocksPerSide];
+  hn::Store(both, words, totals);
+  for (int k = 0; k < kVectorRows * kBlocksPerSide; ++k) sums[k] += totals[k];
 }
 #endif
 
@@ -121,6 +122,29 @@ void SumBlocksHere(const PrecomputedGrid& grid, const CellIndex* cells, std::siz
                        totals->data() + row * kBlocksPerSide);
     }
   }
+}
+
+std::int32_t MaxOfBlocksHere(const std::int32_t* rows, int num_rows, int num_columns) {
+#if HWY_TARGET == HWY_SCALAR
+  std::int32_t greatest = rows[0];
+  for (int k = 0; k < num_rows * kBlocksPerSide; ++k) {
+    if (k % kBlocksPerSide < num_columns) greatest = std::max(greatest, rows[k]);
+  }
+  return greatest;
+#else
+  const hn::CappedTag<std::int32_t, kBlocksPerSide> ints;
+  const int num_lanes = static_cast<int>(hn::Lanes(ints));
+  auto greatest = hn::Set(ints, rows[0]);
+  for (int column = 0; column < num_columns; column += num_lanes) {
+    auto of_columns = hn::LoadU(ints, rows + column);
+    for (int row = 1; row < num_rows; ++row) {
+      of_columns = hn::Max(of_columns, hn::LoadU(ints, rows + row * kBlocksPerSide + column));
+    }
+    const auto counts = hn::FirstN(ints, num_columns - column);
+    greatest = hn::Max(greatest, hn::IfThenElse(counts, of_columns, greatest));
+  }
+  return hn::GetLane(hn::MaxOfLanes(ints, greatest));
+#endif
 }
 
 /// Adds the StepsAboveMin of the row of `num_shifts` cells that begins at each of `starts`.
@@ -190,6 +214,7 @@ namespace loopscope {
 static_assert(PrecomputedGrid::kStripStep == kBlocksPerSide, "a strip holds the row of any window");
 
 HWY_EXPORT(SumBlocksHere);
+HWY_EXPORT(MaxOfBlocksHere);
 HWY_EXPORT(SumRowsHere);
 HWY_EXPORT(MaximaOfShiftedHere);
 HWY_EXPORT(SplitEvenOddHere);
@@ -200,6 +225,11 @@ BlockSums SumBlocks(const PrecomputedGrid& grid, const std::vector<CellIndex>& c
   HWY_DYNAMIC_DISPATCH(SumBlocksHere)
   (grid, cells.data(), cells.size(), offset, num_rows, &totals);
   return totals;
+}
+
+std::int32_t MaxOfBlocks(const BlockSums& sums, int row, int num_rows, int num_columns) {
+  return HWY_DYNAMIC_DISPATCH(MaxOfBlocksHere)(sums.data() + row * kBlocksPerSide, num_rows,
+                                               num_columns);
 }
 
 std::vector<std::uint32_t> SumShifted(const ProbabilityGrid& grid,

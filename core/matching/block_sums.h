@@ -27,6 +27,9 @@ using BlockSums = std::array<std::int32_t, kBlocksPerSide * kBlocksPerSide>;
 BlockSums SumBlocks(const PrecomputedGrid& grid, const std::vector<CellIndex>& cells,
                     CellIndex offset, int num_rows = kBlocksPerSide);
 
+/// The largest of the first `num_columns` entries of `num_rows` rows of BlockSums, from `row` on.
+std::int32_t MaxOfBlocks(const BlockSums& sums, int row, int num_rows, int num_columns);
+
 /// Rows of cells are read in steps of so many, or fewer.
 constexpr int kCellsPerLoad = 8;
 

@@ -33,7 +33,8 @@ struct Sector {
   CellIndex first;  ///< where the rows begin
   int first_angle = 0;
   int last_angle = 0;
-  int bound = 0;  ///< of all sums in it
+  int num_rows = kBlocksPerSide;                ///< as far as they are within the window
+  int bound = std::numeric_limits<int>::max();  ///< of all sums in it
 
   friend bool operator<(const Sector& a, const Sector& b) { return a.bound < b.bound; }
 };
@@ -112,8 +113,9 @@ class Search {
   void MakeSectors() {
     const int w = window_.num_linear_steps;
     start_height_ = StartHeight();
-    const bool have_bounds = trace_ == nullptr && start_height_ > 0;
     const int step = kBlocksPerSide << start_height_;
+    // A window of one square has too few sectors for their bounds to pay.
+    const bool have_bounds = trace_ == nullptr && start_height_ > 0 && 2 * w >= step;
     for (int angle = -window_.num_angular_steps; angle <= window_.num_angular_steps;
          angle += kAnglesPerSector) {
       const int last_angle = std::min(angle + kAnglesPerSector - 1, window_.num_angular_steps);
@@ -121,28 +123,29 @@ class Search {
           have_bounds ? LowestCells(window_, points_, angle, last_angle) : std::vector<CellIndex>();
       for (int y = -w; y <= w; y += step) {
         for (int x = -w; x <= w; x += step) {
-          AddSectors({{x, y}, angle, last_angle, std::numeric_limits<int>::max()}, cells);
+          AddSectors({{x, y}, angle, last_angle}, cells);
         }
       }
     }
   }
 
-  /// Splits a square of start nodes into sectors; with bounds, if the LowestCells at its angles are
+  /// Splits a square of start nodes into sectors with bounds, if the LowestCells at its angles are
   /// given.
   void AddSectors(Sector square, const std::vector<CellIndex>& cells) {
-    const int num_rows = NumBlocks(square.first.y, window_.num_linear_steps, start_height_);
-    BlockSums sums;
-    if (!cells.empty()) {
-      sums = SumBlocks(grids_.swept_at_height(start_height_), cells, square.first, num_rows);
+    const int w = window_.num_linear_steps;
+    const int num_rows = NumBlocks(square.first.y, w, start_height_);
+    if (cells.empty()) {
+      sectors_.push(square);
+      return;
     }
+    const int num_columns = NumBlocks(square.first.x, w, start_height_);
+    const BlockSums sums =
+        SumBlocks(grids_.swept_at_height(start_height_), cells, square.first, num_rows);
     for (int j = 0; j < num_rows; j += kRowsPerSector) {
       Sector sector = square;
       sector.first.y += j << start_height_;
-      if (!cells.empty()) {
-        const int end = std::min(j + kRowsPerSector, num_rows);
-        sector.bound = *std::max_element(sums.begin() + j * kBlocksPerSide,
-                                         sums.begin() + end * kBlocksPerSide);
-      }
+      sector.num_rows = std::min(kRowsPerSector, num_rows - j);
+      sector.bound = MaxOfBlocks(sums, j, sector.num_rows, num_columns);
       sectors_.push(sector);
     }
   }
@@ -165,7 +168,7 @@ class Search {
     while (!sectors_.empty() && sectors_.top().bound >= min_bound) {
       const Sector sector = sectors_.top();
       sectors_.pop();
-      const int last_y = sector.first.y + (kRowsPerSector << start_height_) - 1;
+      const int last_y = sector.first.y + (sector.num_rows << start_height_) - 1;
       for (int angle = sector.first_angle; angle <= sector.last_angle; ++angle) {
         blocks.clear();
         ScoreSquare(sector.first, {w, std::min(w, last_y)}, angle, start_height_, -1, &blocks);
@@ -235,10 +238,18 @@ class Search {
     const int num_columns = NumBlocks(first.x, last.x, height);
     const BlockSums sums =
         SumBlocks(grids_.at_height(height), CellsAt(angle_index), first, num_rows);
+    const auto is_of_no_use = [this](int sum) {
+      return trace_ == nullptr && sum <= best_sum_ && sum < best_start_.sum;
+    };
+    const int max_of_all = MaxOfBlocks(sums, 0, num_rows, num_columns);
+    if (is_of_no_use(max_of_all)) {
+      pruned_sum_ = std::max(pruned_sum_, max_of_all);
+      return;
+    }
     for (int j = 0; j < num_rows; ++j) {
       const int* const row = sums.data() + j * kBlocksPerSide;
       const int max_sum = *std::max_element(row, row + num_columns);
-      if (trace_ == nullptr && max_sum <= best_sum_ && max_sum < best_start_.sum) {
+      if (is_of_no_use(max_sum)) {
         pruned_sum_ = std::max(pruned_sum_, max_sum);
         continue;
       }

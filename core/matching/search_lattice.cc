@@ -19,6 +19,9 @@ namespace loopscope::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// [cells] Of a quotient, as far as a cell can be from the origin.
+constexpr double kMaxRounding = 1e-6;
+
 /// CellOf of many points, moved by `rotation` and `translation` [m] before.
 void CellsOfMovedHere(const Eigen::Vector2d* points, std::size_t num_points,
                       const Eigen::Matrix2d& rotation, const Eigen::Vector2d& translation,
@@ -28,11 +31,19 @@ void CellsOfMovedHere(const Eigen::Vector2d* points, std::size_t num_points,
   static_assert(sizeof(CellIndex) == 2 * sizeof(std::int32_t) &&
                 sizeof(Eigen::Vector2d) == 2 * sizeof(double));
   const auto r = hn::Set(numbers, resolution);
+  const auto inverse = hn::Set(numbers, 1.0 / resolution);
+  const auto half = hn::Set(numbers, 0.5);
   const auto coordinate = [&](int row, auto x, auto y) HWY_ATTR {
     const auto turned = hn::Add(hn::Mul(hn::Set(numbers, rotation(row, 0)), x),
                                 hn::Mul(hn::Set(numbers, rotation(row, 1)), y));
     const auto moved = hn::Add(turned, hn::Set(numbers, translation[row]));
-    const auto cell = hn::Floor(hn::Add(hn::Div(moved, r), hn::Set(numbers, 0.5)));
+    // A division takes as long as all the rest. The product rounds otherwise, which matters next to
+    // the border of a pixel only.
+    const auto product = hn::Add(hn::Mul(moved, inverse), half);
+    const auto from_border = hn::Abs(hn::Sub(product, hn::Round(product)));
+    const auto cell = hn::AllFalse(numbers, hn::Lt(from_border, hn::Set(numbers, kMaxRounding)))
+                          ? hn::Floor(product)
+                          : hn::Floor(hn::Add(hn::Div(moved, r), half));
     return hn::DemoteTo(indices, cell);
   };
   std::size_t i = 0;
