@@ -14,6 +14,7 @@
 #include "core/matching/block_sums.h"
 #include "core/matching/precomputed_grids.h"
 #include "core/matching/search_lattice.h"
+#include "core/matching/sector_queue.h"
 
 namespace loopscope {
 namespace {
@@ -22,22 +23,6 @@ namespace {
 /// than one, see SumBlocks. These are the nodes of the paper's tree at every third height.
 constexpr int kHeightsPerBranch = 3;
 static_assert(1 << kHeightsPerBranch == kBlocksPerSide);
-
-/// Of start nodes that get a bound together, before each has its own.
-constexpr int kAnglesPerSector = PrecomputedGrid::kSweep;
-constexpr int kRowsPerSector = 4;
-static_assert(kBlocksPerSide % kRowsPerSector == 0);
-
-/// Neighbouring rows of one square of start nodes, at neighbouring angles.
-struct Sector {
-  CellIndex first;  ///< where the rows begin
-  int first_angle = 0;
-  int last_angle = 0;
-  int num_rows = kBlocksPerSide;                ///< as far as they are within the window
-  int bound = std::numeric_limits<int>::max();  ///< of all sums in it
-
-  friend bool operator<(const Sector& a, const Sector& b) { return a.bound < b.bound; }
-};
 
 /// A node c of eqs. 11 and 12 with its bound.
 struct Block {
@@ -109,45 +94,13 @@ class Search {
   }
 
  private:
-  /// All start nodes C_0 (eq. 13), some angles at a time. A trace wants each by itself.
+  /// All start nodes C_0 (eq. 13), in sectors. A trace wants each by itself, and a window of one
+  /// square has too few sectors for their bounds to pay.
   void MakeSectors() {
-    const int w = window_.num_linear_steps;
     start_height_ = StartHeight();
-    const int step = kBlocksPerSide << start_height_;
-    // A window of one square has too few sectors for their bounds to pay.
-    const bool have_bounds = trace_ == nullptr && start_height_ > 0 && 2 * w >= step;
-    for (int angle = -window_.num_angular_steps; angle <= window_.num_angular_steps;
-         angle += kAnglesPerSector) {
-      const int last_angle = std::min(angle + kAnglesPerSector - 1, window_.num_angular_steps);
-      const std::vector<CellIndex> cells =
-          have_bounds ? LowestCells(window_, points_, angle, last_angle) : std::vector<CellIndex>();
-      for (int y = -w; y <= w; y += step) {
-        for (int x = -w; x <= w; x += step) {
-          AddSectors({{x, y}, angle, last_angle}, cells);
-        }
-      }
-    }
-  }
-
-  /// Splits a square of start nodes into sectors with bounds, if the LowestCells at its angles are
-  /// given.
-  void AddSectors(Sector square, const std::vector<CellIndex>& cells) {
-    const int w = window_.num_linear_steps;
-    const int num_rows = NumBlocks(square.first.y, w, start_height_);
-    if (cells.empty()) {
-      sectors_.push(square);
-      return;
-    }
-    const int num_columns = NumBlocks(square.first.x, w, start_height_);
-    const BlockSums sums =
-        SumBlocks(grids_.swept_at_height(start_height_), cells, square.first, num_rows);
-    for (int j = 0; j < num_rows; j += kRowsPerSector) {
-      Sector sector = square;
-      sector.first.y += j << start_height_;
-      sector.num_rows = std::min(kRowsPerSector, num_rows - j);
-      sector.bound = MaxOfBlocks(sums, j, sector.num_rows, num_columns);
-      sectors_.push(sector);
-    }
+    const bool is_one_square = 2 * window_.num_linear_steps < kBlocksPerSide << start_height_;
+    const bool with_bounds = trace_ == nullptr && start_height_ > 0 && !is_one_square;
+    sectors_.emplace(grids_, window_, points_, start_height_, with_bounds);
   }
 
   /// The start node with the highest bound, if that beats the best score.
@@ -163,15 +116,11 @@ class Search {
   /// Gives those start nodes bounds of their own that are in sectors with at least `min_bound`, and
   /// then in those with at least the bound of what was found in these.
   void OpenSectorsDownTo(int min_bound) {
-    const int w = window_.num_linear_steps;
     std::vector<Block> blocks;
-    while (!sectors_.empty() && sectors_.top().bound >= min_bound) {
-      const Sector sector = sectors_.top();
-      sectors_.pop();
-      const int last_y = sector.first.y + (sector.num_rows << start_height_) - 1;
-      for (int angle = sector.first_angle; angle <= sector.last_angle; ++angle) {
+    while (const std::optional<Sector> sector = sectors_->Pop(min_bound)) {
+      for (int angle = sector->first_angle; angle <= sector->last_angle; ++angle) {
         blocks.clear();
-        ScoreSquare(sector.first, {w, std::min(w, last_y)}, angle, start_height_, -1, &blocks);
+        ScoreSquare(sector->first, sector->last, angle, start_height_, -1, &blocks);
         for (const Block& block : blocks) start_blocks_.push(block);
       }
       if (!start_blocks_.empty()) min_bound = std::max(min_bound, start_blocks_.top().sum);
@@ -329,7 +278,7 @@ class Search {
   SearchTrace* trace_;
   std::vector<std::vector<CellIndex>> cells_at_angle_;  ///< empty until they are needed
   int start_height_ = 0;
-  std::priority_queue<Sector> sectors_;      ///< whose start nodes have no bounds of their own yet
+  std::optional<SectorQueue> sectors_;       ///< whose start nodes have no bounds of their own yet
   std::priority_queue<Block> start_blocks_;  ///< those that have
   Block best_start_{{}, 0, 0, -1, -1};       ///< the start node with the highest bound
   int best_sum_ = -1;

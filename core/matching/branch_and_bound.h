@@ -39,7 +39,7 @@ class PrecomputedGrids;
 /// Branch and bound (Algorithm 3) in one finished submap.
 class BranchAndBoundMatcher {
  public:
-  /// `depth` is the number of precomputed grids, h_0 + 1; more than 4 are not used.
+  /// `depth` is the number of precomputed grids, h_0 + 1; more than 5 are not used.
   BranchAndBoundMatcher(const ProbabilityGrid& grid, int depth);
   ~BranchAndBoundMatcher();
 

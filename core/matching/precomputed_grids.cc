@@ -150,7 +150,7 @@ const PrecomputedGrid& PrecomputedGrids::at_height(int height) const {
 }
 
 const PrecomputedGrid& PrecomputedGrids::swept_at_height(int height) const {
-  return Made(&swept_[height - 1], height, PrecomputedGrid::kSweep);
+  return Made(&swept_[height - 1], height, 1 << height);
 }
 
 const PrecomputedGrid& PrecomputedGrids::Made(Coarser* coarser, int height, int sweep) const {

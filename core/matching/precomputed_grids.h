@@ -25,8 +25,6 @@ class PrecomputedGrid {
  public:
   static constexpr int kStripWidth = 16;
   static constexpr int kStripStep = 8;
-  /// How far points are swept that are bounded at many angles at once [cells].
-  static constexpr int kSweep = 8;
 
   /// Height 0.
   explicit PrecomputedGrid(const ProbabilityGrid& grid);
@@ -80,7 +78,7 @@ class PrecomputedGrid {
 };
 
 /// One grid for each height 0 ... depth - 1, made when it is first asked for; each also with
-/// maxima over kSweep cells more. May be used by several threads at once.
+/// maxima over 2^h cells more. May be used by several threads at once.
 class PrecomputedGrids {
  public:
   PrecomputedGrids(const ProbabilityGrid& grid, int depth);
@@ -88,7 +86,7 @@ class PrecomputedGrids {
   double resolution() const { return resolution_; }
   int max_height() const { return static_cast<int>(coarser_.size()); }
   const PrecomputedGrid& at_height(int height) const;
-  /// Of heights from 3 on.
+  /// For points that are bounded at many angles at once: they sweep as many cells, see SectorQueue.
   const PrecomputedGrid& swept_at_height(int height) const;
   /// Of those made so far.
   std::size_t num_bytes() const { return num_bytes_; }

@@ -141,7 +141,7 @@ Rows FastCorrelativeScanMatcherRows(BranchAndBoundOptions* o) {
       {"angular_search_window", &o->angular_search_window, 0, kPi, "rad",
        "W_theta of eq. 8: how far a loop may be turned from the guess."},
       {"branch_and_bound_depth", &o->branch_and_bound_depth, 1, 12, "",
-       "Number of precomputed grids, h_0 + 1 of eq. 13; more than 4 change nothing, since higher "
+       "Number of precomputed grids, h_0 + 1 of eq. 13; more than 5 change nothing, since higher "
        "nodes hardly ever tell places apart."},
   };
 }

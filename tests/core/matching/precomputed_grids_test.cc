@@ -72,7 +72,7 @@ TEST(PrecomputedGrid, LooksFartherByTheSweep) {
   const PrecomputedGrids grids(RandomGrid(&random), 5);
   for (const int height : {3, 4}) {
     const PrecomputedGrid& swept = grids.swept_at_height(height);
-    const int side = (1 << height) + PrecomputedGrid::kSweep;
+    const int side = 2 << height;
     const CellBox known = grids.at_height(0).box();
     for (int y = known.min.y - side - 1; y <= known.min.y + known.height; ++y) {
       for (int x = known.min.x - side - 1; x <= known.min.x + known.width; ++x) {
