@@ -35,11 +35,28 @@ struct Term {
   int coupling = -1;        ///< of the block system, at (j, i); -1 if i is held
 };
 
-struct Poses {
-  Pose2 held;
-  std::vector<Pose2> unknowns;
+Eigen::Matrix2d InverseRotation(const Pose2& pose) { return pose.RotationMatrix().transpose(); }
 
-  const Pose2& at(int unknown) const { return unknown == kHeld ? held : unknowns[unknown]; }
+/// Each with its inverse rotation, which is needed more often than it changes.
+class Poses {
+ public:
+  Poses(const Pose2& held, std::vector<Pose2> unknowns)
+      : held_(held), held_from_global_(InverseRotation(held)), unknowns_(std::move(unknowns)) {
+    for (const Pose2& pose : unknowns_) from_global_.push_back(InverseRotation(pose));
+  }
+
+  const Pose2& held() const { return held_; }
+  const std::vector<Pose2>& unknowns() const { return unknowns_; }
+  const Pose2& at(int unknown) const { return unknown == kHeld ? held_ : unknowns_[unknown]; }
+  const Eigen::Matrix2d& from_global(int unknown) const {
+    return unknown == kHeld ? held_from_global_ : from_global_[unknown];
+  }
+
+ private:
+  Pose2 held_;
+  Eigen::Matrix2d held_from_global_;
+  std::vector<Pose2> unknowns_;
+  std::vector<Eigen::Matrix2d> from_global_;
 };
 
 /// Eq. 4 as a least squares problem, and the quadratic that it is near some poses:
@@ -72,7 +89,8 @@ class LeastSquares {
     gradient_.setZero();
     for (const Term& term : terms_) {
       Eigen::Vector3d error = WeightedError(term, poses);
-      SpaDerivatives jacobian = DerivativesOfSpaError(poses.at(term.i), poses.at(term.j));
+      SpaDerivatives jacobian = DerivativesOfSpaError(
+          poses.at(term.i), poses.from_global(term.i), poses.at(term.j));
       const double scale =
           term.robust ? std::sqrt(HuberWeight(error.squaredNorm(), huber_scale_)) : 1.0;
       error *= scale;
@@ -138,7 +156,8 @@ class LeastSquares {
   }
 
   static Eigen::Vector3d WeightedError(const Term& term, const Poses& poses) {
-    return term.weights.cwiseProduct(SpaError(term.i_from_j, poses.at(term.i), poses.at(term.j)));
+    return term.weights.cwiseProduct(SpaError(
+        term.i_from_j, poses.at(term.i), poses.from_global(term.i), poses.at(term.j)));
   }
 
   void AddUnknown(int unknown, const Eigen::Matrix3d& jacobian, const Eigen::Vector3d& error) {
@@ -157,29 +176,27 @@ class LeastSquares {
 };
 
 Poses StartOf(const GraphProblem& graph) {
-  Poses poses{graph.global_from_submap.front(), graph.global_from_submap};
-  poses.unknowns.erase(poses.unknowns.begin());
-  poses.unknowns.insert(poses.unknowns.end(), graph.global_from_node.begin(),
-                        graph.global_from_node.end());
-  return poses;
+  std::vector<Pose2> unknowns(graph.global_from_submap.begin() + 1, graph.global_from_submap.end());
+  unknowns.insert(unknowns.end(), graph.global_from_node.begin(), graph.global_from_node.end());
+  return Poses(graph.global_from_submap.front(), std::move(unknowns));
 }
 
 Poses Moved(const Poses& poses, const Eigen::VectorXd& step) {
-  Poses moved = poses;
-  for (std::size_t i = 0; i < moved.unknowns.size(); ++i) {
-    Pose2& pose = moved.unknowns[i];
-    pose.translation += step.segment<2>(3 * i);
-    pose.rotation = NormalizeAngle(pose.rotation + step[3 * i + 2]);
+  std::vector<Pose2> moved = poses.unknowns();
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    moved[i].translation += step.segment<2>(3 * i);
+    moved[i].rotation = NormalizeAngle(moved[i].rotation + step[3 * i + 2]);
   }
-  return moved;
+  return Poses(poses.held(), std::move(moved));
 }
 
 GraphSolution ToSolution(const Poses& poses, int num_submaps, int num_iterations,
                          double initial_cost, double final_cost) {
-  const auto first_node = poses.unknowns.begin() + (num_submaps - 1);
+  const std::vector<Pose2>& unknowns = poses.unknowns();
+  const auto first_node = unknowns.begin() + (num_submaps - 1);
   GraphSolution solution{
-      {poses.held}, {first_node, poses.unknowns.end()}, num_iterations, initial_cost, final_cost};
-  solution.global_from_submap.insert(solution.global_from_submap.end(), poses.unknowns.begin(),
+      {poses.held()}, {first_node, unknowns.end()}, num_iterations, initial_cost, final_cost};
+  solution.global_from_submap.insert(solution.global_from_submap.end(), unknowns.begin(),
                                      first_node);
   return solution;
 }

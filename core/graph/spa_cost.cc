@@ -8,16 +8,23 @@ namespace loopscope {
 
 Eigen::Vector3d SpaError(const Pose2& i_from_j, const Pose2& global_from_i,
                          const Pose2& global_from_j) {
+  return SpaError(i_from_j, global_from_i, global_from_i.RotationMatrix().transpose(),
+                  global_from_j);
+}
+
+Eigen::Vector3d SpaError(const Pose2& i_from_j, const Pose2& global_from_i,
+                         const Eigen::Matrix2d& i_from_global, const Pose2& global_from_j) {
   const Eigen::Vector2d translation =
-      i_from_j.translation - global_from_i.RotationMatrix().transpose() *
-                                 (global_from_j.translation - global_from_i.translation);
+      i_from_j.translation -
+      i_from_global * (global_from_j.translation - global_from_i.translation);
   const double rotation =
       NormalizeAngle(i_from_j.rotation - (global_from_j.rotation - global_from_i.rotation));
   return {translation.x(), translation.y(), rotation};
 }
 
-SpaDerivatives DerivativesOfSpaError(const Pose2& global_from_i, const Pose2& global_from_j) {
-  const Eigen::Matrix2d i_from_global = global_from_i.RotationMatrix().transpose();
+SpaDerivatives DerivativesOfSpaError(const Pose2& global_from_i,
+                                     const Eigen::Matrix2d& i_from_global,
+                                     const Pose2& global_from_j) {
   const Eigen::Vector2d arm =
       i_from_global * (global_from_j.translation - global_from_i.translation);
   SpaDerivatives derivatives;

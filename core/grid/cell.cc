@@ -14,6 +14,12 @@ CellBox Union(const CellBox& a, const CellBox& b) {
           std::max(a.min.y + a.height, b.min.y + b.height) - min.y};
 }
 
+CellBox Intersection(const CellBox& a, const CellBox& b) {
+  const CellIndex min{std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)};
+  return {min, std::min(a.min.x + a.width, b.min.x + b.width) - min.x,
+          std::min(a.min.y + a.height, b.min.y + b.height) - min.y};
+}
+
 CellBox BoxOf(const std::vector<CellIndex>& cells) {
   if (cells.empty()) return {};
   CellIndex low = cells.front();

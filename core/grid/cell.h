@@ -52,6 +52,9 @@ struct CellBox {
 /// The smallest box that holds both; an empty box holds nothing.
 CellBox Union(const CellBox& a, const CellBox& b);
 
+/// The cells that are in both; empty if there are none.
+CellBox Intersection(const CellBox& a, const CellBox& b);
+
 /// The smallest box that holds all of `cells`.
 CellBox BoxOf(const std::vector<CellIndex>& cells);
 

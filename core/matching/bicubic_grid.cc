@@ -166,19 +166,21 @@ void InterpolateHere(const ProbabilityGrid& grid, const Eigen::Vector2d* points,
     const auto is_inside = hn::And(hn::And(hn::Gt(column, before), hn::Gt(row, before)),
                                    hn::And(hn::Lt(column, hn::Set(ints, box.width - 3)),
                                            hn::Lt(row, hn::Set(ints, box.height - 3))));
-    if (hn::AllTrue(ints, is_inside)) {
+    if (!hn::AllFalse(ints, is_inside)) {
       const auto place = hn::ShiftLeft<1>(hn::Add(hn::Mul(row, hn::Set(ints, box.width)), column));
       static_assert(sizeof(CellValue) == 2);
+      // What is not inside is read at the first cell, and then replaced.
       Interpolate(numbers, grid.cells().data(),
-                  hn::PromoteTo(hn::RebindToSigned<decltype(numbers)>(), place),
+                  hn::PromoteTo(hn::RebindToSigned<decltype(numbers)>(),
+                                hn::IfThenElseZero(is_inside, place)),
                   box.width * int{sizeof(CellValue)}, hn::Sub(u, floor_u), hn::Sub(v, floor_v),
                   grid.resolution(), results);
-      advance(num_lanes);
-    } else {
-      for (std::size_t k = 0; k < num_lanes; ++k) {
-        InterpolateOne(grid, points[i + k], results);
-        advance(1);
-      }
+    }
+    std::uint8_t inside_bits[8] = {};  // StoreMaskBits writes whole bytes
+    hn::StoreMaskBits(ints, is_inside, inside_bits);
+    for (std::size_t k = 0; k < num_lanes; ++k, advance(1)) {
+      const bool lane_is_inside = ((inside_bits[k / 8] >> (k % 8)) & 1) != 0;
+      if (!lane_is_inside) InterpolateOne(grid, points[i + k], results);
     }
   }
 #endif

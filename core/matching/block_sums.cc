@@ -246,11 +246,11 @@ std::vector<std::uint32_t> SumShifted(const ProbabilityGrid& grid,
       starts.push_back(grid.cells().data() + box.FlatIndex(low));
       continue;
     }
-    const bool sees_none = cell.x + radius < box.min.x || low.x >= box.min.x + box.width ||
-                           cell.y + radius < box.min.y || low.y >= box.min.y + box.height;
-    if (sees_none) continue;
-    for (int k = 0; k < side * side; ++k) {
-      sums[k] += StepsAboveMin(grid.value({low.x + k % side, low.y + k / side}));
+    const CellBox window = Intersection(box, {low, side, side});
+    for (int y = window.min.y; y < window.min.y + window.height; ++y) {
+      const CellValue* const values = grid.cells().data() + box.FlatIndex({window.min.x, y});
+      std::uint32_t* const row = sums.data() + (y - low.y) * side + (window.min.x - low.x);
+      for (int x = 0; x < window.width; ++x) row[x] += StepsAboveMin(values[x]);
     }
   }
   std::vector<std::uint32_t> row(side);

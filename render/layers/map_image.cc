@@ -17,12 +17,6 @@ struct Patch {
   std::vector<CellValue> values;  ///< row-major, kUnknown where the grid knows nothing
 };
 
-CellBox Intersection(const CellBox& a, const CellBox& b) {
-  const CellIndex min{std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)};
-  return {min, std::min(a.min.x + a.width, b.min.x + b.width) - min.x,
-          std::min(a.min.y + a.height, b.min.y + b.height) - min.y};
-}
-
 /// The pixels of the raster that `grid` may touch.
 CellBox PixelsOf(const PlacedGrid& grid, const Raster& raster) {
   const Extent extent = ExtentOf(grid);

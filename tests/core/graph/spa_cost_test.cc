@@ -32,7 +32,7 @@ TEST(SpaError, HasTheDerivativesThatItSays) {
     // The measured turn is near the real one: away from where the error jumps by a turn.
     const Pose2 i_from_j(random.Uniform(-3.0, 3.0), random.Uniform(-3.0, 3.0),
                          j.rotation - i.rotation + random.Uniform(-2.0, 2.0));
-    const SpaDerivatives derivatives = DerivativesOfSpaError(i, j);
+    const SpaDerivatives derivatives = DerivativesOfSpaError(i, i.RotationMatrix().transpose(), j);
     for (int k = 0; k < 3; ++k) {
       const Eigen::Vector3d by_i = (SpaError(i_from_j, Changed(i, k, kStep), j) -
                                     SpaError(i_from_j, Changed(i, k, -kStep), j)) /

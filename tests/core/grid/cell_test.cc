@@ -67,6 +67,13 @@ TEST(Union, TakesNoCornerFromAnEmptyBox) {
   ExpectBox(Union({{2, 3}, 4, 5}, {{50, 50}, 7, 0}), {2, 3}, 4, 5);
 }
 
+TEST(Intersection, HoldsTheCellsOfBothBoxes) {
+  ExpectBox(Intersection({{0, 0}, 4, 5}, {{2, -3}, 9, 6}), {2, 0}, 2, 3);
+  ExpectBox(Intersection({{0, 0}, 9, 9}, {{2, 3}, 1, 1}), {2, 3}, 1, 1);
+  EXPECT_TRUE(Intersection({{0, 0}, 4, 5}, {{4, 0}, 3, 3}).empty());
+  EXPECT_TRUE(Intersection({{0, 0}, 4, 5}, {{0, -7}, 3, 3}).empty());
+}
+
 TEST(BoxOf, HoldsTheCellsAndNoMore) {
   ExpectBox(BoxOf({{4, -2}, {-1, 7}, {0, 0}}), {-1, -2}, 6, 10);
   ExpectBox(BoxOf({{4, -2}}), {4, -2}, 1, 1);
