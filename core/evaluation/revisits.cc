@@ -3,7 +3,7 @@
 #include "core/evaluation/revisits.h"
 
 #include <algorithm>
-#include <cstdint>
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -56,51 +56,69 @@ class NearestNodes {
   std::map<SubmapPair, Revisit> nearest_;
 };
 
-/// Where the scans of submaps have returns in the reference, on a coarse lattice.
-class ReturnCells {
+/// A return, roughly: in which cell of a coarse lattice, and in which eighth of a turn the beam went.
+struct CoarseReturn {
+  CellIndex cell;
+  int octant = 0;
+};
+
+/// Where the scans of submaps have returns in the reference.
+class CoarseReturns {
  public:
-  ReturnCells(const Recording& recording, const ReferencePoses& reference)
+  CoarseReturns(const Recording& recording, const ReferencePoses& reference)
       : recording_(recording), reference_(reference) {}
 
-  /// The share of the returns of `node` that have one of `submap` in the same or a next cell.
+  /// The share of the returns of `node` that have one of `submap` in the same or a next cell, and in
+  /// the same or a next octant.
   double Overlap(SubmapId submap, NodeId node) {
-    const std::vector<CellIndex> cells = CellsOf(node);
-    if (cells.empty()) return 0.0;
-    const Keys& keys = KeysOf(submap);
-    const auto is_near = [&](CellIndex cell) {
+    const std::vector<CoarseReturn> returns = ReturnsOf(node);
+    if (returns.empty()) return 0.0;
+    const OctantsOfCells& octants = OctantsOf(submap);
+    const auto is_shared = [&](const CoarseReturn& seen) {
       for (int dx = -1; dx <= 1; ++dx) {
         for (int dy = -1; dy <= 1; ++dy) {
-          if (keys.count({cell.x + dx, cell.y + dy}) > 0) return true;
+          const auto found = octants.find({seen.cell.x + dx, seen.cell.y + dy});
+          if (found != octants.end() && (found->second & OctantsAround(seen.octant)) != 0) {
+            return true;
+          }
         }
       }
       return false;
     };
-    return static_cast<double>(std::count_if(cells.begin(), cells.end(), is_near)) /
-           static_cast<double>(cells.size());
+    return static_cast<double>(std::count_if(returns.begin(), returns.end(), is_shared)) /
+           static_cast<double>(returns.size());
   }
 
  private:
-  using Keys = std::set<std::pair<int, int>>;
+  using OctantsOfCells = std::map<std::pair<int, int>, unsigned>;  // a bit for each octant
 
-  /// Of each return, which may be the same.
-  std::vector<CellIndex> CellsOf(NodeId node) const {
-    constexpr double kResolution = 0.25;  // [m]
-    std::vector<CellIndex> cells;
-    if (!reference_[node.index]) return cells;
-    const RangeData range_data = RangeDataOfStep(recording_, recording_.node(node).step);
-    for (const Eigen::Vector2d& point : range_data.returns) {
-      cells.push_back(CellOf(*reference_[node.index] * point, kResolution));
-    }
-    return cells;
+  static unsigned BitOf(int octant) { return 1u << ((octant + 8) % 8); }
+  static unsigned OctantsAround(int octant) {
+    return BitOf(octant - 1) | BitOf(octant) | BitOf(octant + 1);
   }
 
-  const Keys& KeysOf(SubmapId id) {
-    const auto [entry, is_new] = keys_.try_emplace(id.index);
+  /// Some may be the same.
+  std::vector<CoarseReturn> ReturnsOf(NodeId node) const {
+    constexpr double kResolution = 0.25;  // [m]
+    std::vector<CoarseReturn> returns;
+    if (!reference_[node.index]) return returns;
+    const RangeData range_data = Transform(
+        *reference_[node.index], RangeDataOfStep(recording_, recording_.node(node).step));
+    for (const Eigen::Vector2d& point : range_data.returns) {
+      const Eigen::Vector2d beam = point - range_data.origin;
+      const double eighths = std::atan2(beam.y(), beam.x()) / (0.25 * M_PI);  // -4 ... 4
+      returns.push_back({CellOf(point, kResolution), FloorToInt(eighths + 4.0) % 8});
+    }
+    return returns;
+  }
+
+  const OctantsOfCells& OctantsOf(SubmapId id) {
+    const auto [entry, is_new] = octants_.try_emplace(id.index);
     if (!is_new) return entry->second;
     const Submap& submap = recording_.submap(id);
     for (int i = 0; i < submap.num_nodes; ++i) {
-      for (const CellIndex cell : CellsOf(NodeId{submap.first_node.index + i})) {
-        entry->second.emplace(cell.x, cell.y);
+      for (const CoarseReturn& seen : ReturnsOf(NodeId{submap.first_node.index + i})) {
+        entry->second[{seen.cell.x, seen.cell.y}] |= BitOf(seen.octant);
       }
     }
     return entry->second;
@@ -108,7 +126,7 @@ class ReturnCells {
 
   const Recording& recording_;
   const ReferencePoses& reference_;
-  std::map<int, Keys> keys_;
+  std::map<int, OctantsOfCells> octants_;  // by submap
 };
 
 }  // namespace
@@ -125,10 +143,10 @@ std::vector<Revisit> RevisitsOf(const Recording& recording, const ReferencePoses
     }
   }
   std::vector<Revisit> revisits = nearest.ToRevisits();
-  ReturnCells cells(recording, reference);
+  CoarseReturns returns(recording, reference);
   const auto is_apart = [&](const Revisit& revisit) {
-    return cells.Overlap(revisit.first, revisit.second_node) < options.min_overlap &&
-           cells.Overlap(revisit.second, revisit.first_node) < options.min_overlap;
+    return returns.Overlap(revisit.first, revisit.second_node) < options.min_overlap &&
+           returns.Overlap(revisit.second, revisit.first_node) < options.min_overlap;
   };
   revisits.erase(std::remove_if(revisits.begin(), revisits.end(), is_apart), revisits.end());
   return revisits;

@@ -13,7 +13,7 @@ struct RevisitOptions {
   double max_distance = 3.0;  ///< [m] between a node of one submap and a node of the other
   double min_way = 20.0;      ///< [m] that the robot went between the two nodes
   /// Share of the returns of one of the two nodes that have a return of the other's submap nearby,
-  /// which keeps neighbours behind a wall apart.
+  /// seen from the same side: rooms on both sides of a wall have nothing in common.
   double min_overlap = 0.5;
 };
 
