@@ -291,10 +291,17 @@ void PoseGraph::RejectInconsistent(std::vector<LoopCandidate>* candidates) const
   for (LoopCandidate& candidate : *candidates) {
     if (candidate.verdict != Verdict::kAccepted) continue;
     candidate.num_supporters = NumSupporters(DriftOf(candidate), drifts, options);
-    if (candidate.num_supporters < options.min_num_supporters) {
+    if (candidate.num_supporters < options.min_num_supporters && !MapAgreesWith(candidate)) {
       candidate.verdict = Verdict::kInconsistent;
     }
   }
+}
+
+bool PoseGraph::MapAgreesWith(const LoopCandidate& found) const {
+  const Eigen::Vector3d residual =
+      SpaError(found.submap_from_node, global_from_submap_[found.submap.index],
+               global_from_node_[found.node.index]);
+  return found.last_look && !IsOutlier(residual, options_.optimization_problem.outliers);
 }
 
 LoopDrift PoseGraph::DriftOf(const LoopCandidate& candidate) const {

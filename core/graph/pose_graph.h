@@ -80,8 +80,10 @@ class PoseGraph {
   void SearchWhereLoopHasIt(const LoopCandidate& loop, LoopCandidate* pair);
   /// Of the loops found and those accepted before.
   std::vector<LoopDrift> DriftsWith(const std::vector<LoopCandidate>& candidates) const;
-  /// Turns the verdict on accepted candidates that too few others agree with.
+  /// Turns the verdict on accepted candidates that too few others agree with. For those of a last
+  /// look it is enough that the optimized map does.
   void RejectInconsistent(std::vector<LoopCandidate>* candidates) const;
+  bool MapAgreesWith(const LoopCandidate& found) const;
   /// Notes what drift the loops accepted took.
   void MeasureDrift(const std::vector<LoopCandidate>& candidates);
   /// Of the loops in force.

@@ -5,8 +5,13 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "core/grid/wall_filling.h"
+
 namespace loopscope {
 namespace {
+
+/// [cells] Leaves no gaps in a wall, whatever its direction.
+constexpr double kStepsAlongWalls = 0.7;
 
 /// Which cells of a box were seen already.
 class Marks {
@@ -60,13 +65,17 @@ CellBox BoxOfRays(const RangeData& data, double resolution) {
 
 }  // namespace
 
-ScanCells CastRays(const RangeData& data, double resolution) {
+ScanCells CastRays(const RangeData& data, double resolution, double max_wall_gap) {
   ScanCells cells;
   Marks marks(BoxOfRays(data, resolution));
-  for (const Eigen::Vector2d& point : data.returns) {
+  const auto hit = [&](const Eigen::Vector2d& point) {
     const CellIndex cell = CellOf(point, resolution);
     marks.MarkRun(cell.y, cell.x, cell.x, &cells.hits);
-  }
+  };
+  const PointCloud walls =
+      PointsBetween(data.returns, max_wall_gap, kStepsAlongWalls * resolution);
+  std::for_each(data.returns.begin(), data.returns.end(), hit);
+  std::for_each(walls.begin(), walls.end(), hit);
   const Eigen::Vector2d origin = ToPixelFrame(data.origin, resolution);
   const auto cast_to = [&](const Eigen::Vector2d& end) {
     ForEachCrossedRow(origin, ToPixelFrame(end, resolution), [&](int row, int left, int right) {

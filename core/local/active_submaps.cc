@@ -30,7 +30,8 @@ ActiveSubmaps::Insertion ActiveSubmaps::Insert(const Pose2& local_from_base,
   insertion.first_submap = submaps_.front().id;
   insertion.num_submaps = static_cast<int>(submaps_.size());
   const ScanCells cells_in_local =
-      CastRays(Transform(local_from_base, range_data_in_base), options_.grid_resolution);
+      CastRays(Transform(local_from_base, range_data_in_base), options_.grid_resolution,
+               options_.range_data_inserter.max_wall_gap);
   for (ActiveSubmap& submap : submaps_) {
     inserter_.Insert(
         ToSubmapLattice(cells_in_local, submap.local_from_submap, options_.grid_resolution),

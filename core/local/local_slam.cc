@@ -17,7 +17,7 @@ LocalSlam::LocalSlam(const ScanLog& log, const LocalSlamOptions& options)
     : log_(log),
       options_(options),
       extrapolator_(OdometryDirection(options.odometry_direction_memory),
-                    SteadyPace(options.steady_pace_memory)),
+                    SteadyPace(options.steady_pace_memory), options.velocity_gain),
       motion_filter_(options.motion_filter),
       active_submaps_(options.submaps) {}
 
@@ -33,7 +33,7 @@ LocalSlamResult LocalSlam::AddScan(int scan) {
   result.has_returns = !result.range_data.returns.empty();
   result.local_from_base_prior = extrapolator_.Predict(time, result.odom_from_base);
   result.local_from_base = result.local_from_base_prior;
-  if (result.has_returns) Match(&result);
+  if (result.has_returns) Match(time, &result);
   extrapolator_.AddPose(time, result.local_from_base, result.odom_from_base);
   if (result.has_returns && !motion_filter_.IsSimilar(time, result.local_from_base)) {
     result.insertion = active_submaps_.Insert(result.local_from_base, result.range_data);
@@ -41,16 +41,21 @@ LocalSlamResult LocalSlam::AddScan(int scan) {
   return result;
 }
 
-void LocalSlam::Match(LocalSlamResult* result) {
+void LocalSlam::Match(double time, LocalSlamResult* result) {
   const ActiveSubmap* submap = active_submaps_.MatchingSubmap();
   if (submap == nullptr) return;
   const PointCloud points =
       AdaptiveVoxelFilter(result->range_data.returns, options_.adaptive_voxel_filter);
   if (points.empty() || static_cast<int>(points.size()) < options_.min_num_matched_points) return;
   const Pose2& local_from_submap = submap->local_from_submap;
-  const ScanMatch match =
-      MatchScan(points, submap->grid, local_from_submap.Inverse() * result->local_from_base_prior,
-                result->odom_from_base.has_value(), expected_score_, options_);
+  const Pose2 submap_from_local = local_from_submap.Inverse();
+  MatchPrior prior{submap_from_local * result->local_from_base_prior,
+                   result->odom_from_base.has_value(),
+                   {}};
+  if (prior.is_measured) {
+    prior.submap_from_base_by_velocity = submap_from_local * extrapolator_.PredictByVelocity(time);
+  }
+  const ScanMatch match = MatchScan(points, submap->grid, prior, expected_score_, options_);
   expected_score_ += kExpectedScoreGain * (match.score - expected_score_);
   if (match.submap_from_base_correlative) {
     result->local_from_base_correlative = local_from_submap * *match.submap_from_base_correlative;

@@ -33,7 +33,7 @@ class LocalSlam {
   LocalSlamResult AddScan(int scan);
 
  private:
-  void Match(LocalSlamResult* result);
+  void Match(double time, LocalSlamResult* result);
 
   const ScanLog& log_;
   LocalSlamOptions options_;

@@ -18,10 +18,14 @@ Pose2 PoseExtrapolator::Predict(double time, const std::optional<Pose2>& odom_fr
     return last_->local_from_base *
            direction_.Corrected(last_->odom_from_base->Inverse() * *odom_from_base);
   }
+  return PredictByVelocity(time);
+}
+
+Pose2 PoseExtrapolator::PredictByVelocity(double time) const {
+  if (!last_) return Pose2();
   if (!before_last_) return last_->local_from_base;
-  const Pose2 motion = LastMotion();
   const double stretch = pace_.Stretch(StretchUntil(time));
-  return last_->local_from_base * Pose2(stretch * motion.translation, stretch * motion.rotation);
+  return last_->local_from_base * Pose2(stretch * velocity_, stretch * LastMotion().rotation);
 }
 
 Pose2 PoseExtrapolator::LastMotion() const {
@@ -41,6 +45,8 @@ void PoseExtrapolator::AddPose(double time, const Pose2& local_from_base,
       direction_.Learn(last_->odom_from_base->Inverse() * *odom_from_base, motion);
     }
     if (before_last_) pace_.Learn(LastMotion(), StretchUntil(time), motion);
+    const double gain = before_last_ ? velocity_gain_ : 1.0;
+    velocity_ += gain * (motion.translation - velocity_);
   }
   before_last_ = last_;
   last_ = Known{time, local_from_base, odom_from_base};

@@ -13,13 +13,18 @@ namespace loopscope {
 /// Predicts where the robot is when a scan comes, from where the scans before were matched.
 class PoseExtrapolator {
  public:
-  PoseExtrapolator(const OdometryDirection& direction, const SteadyPace& pace)
-      : direction_(direction), pace_(pace) {}
+  /// `velocity_gain` in (0, 1] is how much of the velocity is that of the last motion; what is left
+  /// is that before it.
+  PoseExtrapolator(const OdometryDirection& direction, const SteadyPace& pace, double velocity_gain)
+      : direction_(direction), pace_(pace), velocity_gain_(velocity_gain) {}
 
   /// The pose at `time` [s]: the motion that odometry measured since the last pose, if it was known
-  /// there and is now; else the motion between the last two poses, kept up as SteadyPace has it.
-  /// The identity before any pose is known.
+  /// there and is now; else as PredictByVelocity has it. The identity before any pose is known.
   Pose2 Predict(double time, const std::optional<Pose2>& odom_from_base) const;
+
+  /// Whatever odometry says: the robot goes on at its velocity, and turns as it did between the last
+  /// two poses, both kept up as SteadyPace has it. The last pose while there is no other.
+  Pose2 PredictByVelocity(double time) const;
 
   /// Tells where the scan at `time` was matched.
   void AddPose(double time, const Pose2& local_from_base,
@@ -40,6 +45,8 @@ class PoseExtrapolator {
   std::optional<Known> before_last_;
   OdometryDirection direction_;
   SteadyPace pace_;
+  double velocity_gain_;
+  Eigen::Vector2d velocity_ = Eigen::Vector2d::Zero();  ///< [m] for a scan, in the frame of the base
 };
 
 }  // namespace loopscope

@@ -74,21 +74,27 @@ bool MatchesWhatIsKnown(const PointCloud& points_in_base, const ScanMatch& match
 }  // namespace
 
 ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& grid,
-                    const Pose2& submap_from_base_prior, bool prior_is_measured,
-                    double expected_score, const LocalSlamOptions& options) {
-  const ScanMatch near = MatchNear(points_in_base, grid, submap_from_base_prior,
-                                   prior_is_measured ? options : Loosened(options));
+                    const MatchPrior& prior, double expected_score,
+                    const LocalSlamOptions& options) {
+  const ScanMatch near = MatchNear(points_in_base, grid, prior.submap_from_base,
+                                   prior.is_measured ? options : Loosened(options));
+  const double good_score = options.second_prior_relative_score * expected_score;
+  if (near.score < good_score && prior.submap_from_base_by_velocity) {
+    const ScanMatch by_velocity = MatchNear(
+        points_in_base, grid, *prior.submap_from_base_by_velocity, Loosened(options));
+    if (by_velocity.score >= good_score) return by_velocity;
+  }
   const double min_score = options.recovery.min_relative_score * expected_score;
   if (near.score >= min_score) return near;
   const auto recovered =
-      Recover(points_in_base, grid, submap_from_base_prior,
+      Recover(points_in_base, grid, prior.submap_from_base,
               std::max(near.score + options.recovery.min_gain, min_score), options);
   if (recovered) return *recovered;
-  if (!prior_is_measured || MatchesWhatIsKnown(points_in_base, near, grid, min_score, options)) {
+  if (!prior.is_measured || MatchesWhatIsKnown(points_in_base, near, grid, min_score, options)) {
     return near;
   }
-  return {std::nullopt, submap_from_base_prior,
-          MeanProbability(points_in_base, submap_from_base_prior, grid)};
+  return {std::nullopt, prior.submap_from_base,
+          MeanProbability(points_in_base, prior.submap_from_base, grid)};
 }
 
 }  // namespace loopscope

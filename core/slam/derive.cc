@@ -44,10 +44,12 @@ Pose2 SubmapFromNode(const Recording& recording, SubmapId submap, NodeId node) {
 }
 
 ScanCells CellsOfNode(const Recording& recording, SubmapId submap, NodeId node) {
-  const double resolution = LocalOptions(recording).submaps.grid_resolution;
+  const SubmapsOptions& options = LocalOptions(recording).submaps;
+  const double resolution = options.grid_resolution;
   const RangeData range_data_in_local = Transform(
       recording.node(node).local_from_base, RangeDataOfStep(recording, recording.node(node).step));
-  return ToSubmapLattice(CastRays(range_data_in_local, resolution),
+  return ToSubmapLattice(CastRays(range_data_in_local, resolution,
+                                  options.range_data_inserter.max_wall_gap),
                          recording.submap(submap).local_from_submap, resolution);
 }
 

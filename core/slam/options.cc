@@ -14,15 +14,18 @@ Options LoopscopePreset() {
   local.steady_pace_memory = 50;
   local.unmeasured_prior_scale = 3.0;
   local.use_online_correlative_scan_matching = true;
-  local.real_time_correlative_scan_matcher.angular_search_window = DegreesToRadians(10.0);
+  local.real_time_correlative_scan_matcher.angular_search_window = DegreesToRadians(20.0);
   // In a corridor the scan fits everywhere: stay where odometry says.
   local.real_time_correlative_scan_matcher.translation_delta_cost_weight = 10.0;
-  local.real_time_correlative_scan_matcher.rotation_delta_cost_weight = 4.0;
+  local.real_time_correlative_scan_matcher.rotation_delta_cost_weight = 3.0;
   local.ceres_scan_matcher.occupied_space_weight = 10.0;
+  local.velocity_gain = 0.5;
+  local.second_prior_relative_score = 0.8;
   local.recovery.min_relative_score = 0.6;
   local.submaps.num_range_data = 40;
   local.submaps.range_data_inserter.hit_probability = 0.7;
   local.submaps.range_data_inserter.miss_probability = 0.4;
+  local.submaps.range_data_inserter.max_wall_gap = 2.0;
 
   PoseGraphOptions& graph = options.pose_graph;
   graph.optimize_every_n_nodes = 40;
