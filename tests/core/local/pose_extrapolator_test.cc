@@ -19,24 +19,24 @@ const Pose2 kSecondMotion(0.5, 0.1, 0.2);  // the motion of a second, in the fra
 
 /// Knows the robot at times 10 s and 11 s.
 PoseExtrapolator MovingExtrapolator() {
-  PoseExtrapolator extrapolator(kStraight, kByStamps);
+  PoseExtrapolator extrapolator(kStraight, kByStamps, 1.0);
   extrapolator.AddPose(10.0, kStart, kNoOdometry);
   extrapolator.AddPose(11.0, kStart * kSecondMotion, kNoOdometry);
   return extrapolator;
 }
 
 TEST(PoseExtrapolator, BeginsAtTheIdentity) {
-  EXPECT_EQ(PoseExtrapolator(kStraight, kByStamps).Predict(5.0, Pose2(3.0, 2.0, 1.0)), Pose2());
+  EXPECT_EQ(PoseExtrapolator(kStraight, kByStamps, 1.0).Predict(5.0, Pose2(3.0, 2.0, 1.0)), Pose2());
 }
 
 TEST(PoseExtrapolator, StaysWhenItKnowsOnlyOnePose) {
-  PoseExtrapolator extrapolator(kStraight, kByStamps);
+  PoseExtrapolator extrapolator(kStraight, kByStamps, 1.0);
   extrapolator.AddPose(10.0, kStart, kNoOdometry);
   EXPECT_EQ(extrapolator.Predict(11.0, kNoOdometry), kStart);
 }
 
 TEST(PoseExtrapolator, AddsTheMotionThatOdometryMeasured) {
-  PoseExtrapolator extrapolator(kStraight, kByStamps);
+  PoseExtrapolator extrapolator(kStraight, kByStamps, 1.0);
   const Pose2 odom_from_base(-4.0, 1.0, 2.5);
   extrapolator.AddPose(10.0, kStart, odom_from_base);
   EXPECT_THAT(extrapolator.Predict(11.0, odom_from_base * kSecondMotion),
@@ -44,7 +44,7 @@ TEST(PoseExtrapolator, AddsTheMotionThatOdometryMeasured) {
 }
 
 TEST(PoseExtrapolator, BelievesOdometryWhateverTheStampsSay) {
-  PoseExtrapolator extrapolator(kStraight, kByStamps);
+  PoseExtrapolator extrapolator(kStraight, kByStamps, 1.0);
   const Pose2 odom_from_base(9.0, 9.0, 1.0);
   extrapolator.AddPose(10.0, Pose2(), Pose2());
   extrapolator.AddPose(11.0, kStart, odom_from_base);
@@ -69,8 +69,28 @@ TEST(PoseExtrapolator, KeepsTheVelocityWhereOdometryBeginsOrEnds) {
               PoseNear(kept * kSecondMotion, 1e-12, 1e-12));
 }
 
+TEST(PoseExtrapolator, TellsWhereTheVelocityLeadsWhateverOdometrySays) {
+  PoseExtrapolator extrapolator(kStraight, kByStamps, 1.0);
+  extrapolator.AddPose(10.0, kStart, Pose2());
+  extrapolator.AddPose(11.0, kStart * kSecondMotion, Pose2());  // odometry stands still
+  EXPECT_THAT(extrapolator.Predict(12.0, Pose2()), PoseNear(kStart * kSecondMotion, 1e-12, 1e-12));
+  EXPECT_THAT(extrapolator.PredictByVelocity(12.0),
+              PoseNear(kStart * kSecondMotion * kSecondMotion, 1e-12, 1e-12));
+}
+
+TEST(PoseExtrapolator, FollowsAChangeOfVelocityAsFarAsItsGainSays) {
+  PoseExtrapolator extrapolator(kStraight, kByStamps, 0.25);
+  extrapolator.AddPose(10.0, Pose2(), kNoOdometry);
+  extrapolator.AddPose(11.0, Pose2(1.0, 0.0, 0.0), kNoOdometry);
+  extrapolator.AddPose(12.0, Pose2(3.0, 0.0, 0.1), kNoOdometry);
+  const Pose2 last(3.0, 0.0, 0.1);
+  EXPECT_THAT(extrapolator.Predict(13.0, kNoOdometry),
+              PoseNear(last * Pose2(1.25, 0.0, 0.1), 1e-12, 1e-12))
+      << "but for the turn, which scans tell well";
+}
+
 TEST(PoseExtrapolator, GoesOnFromScanToScanWhereStampsJitter) {
-  PoseExtrapolator extrapolator(kStraight, SteadyPace(50));
+  PoseExtrapolator extrapolator(kStraight, SteadyPace(50), 1.0);
   Pose2 local_from_base;
   for (const double time : {0.0, 0.1, 1.0, 1.0, 2.1, 2.2}) {
     extrapolator.AddPose(time, local_from_base, kNoOdometry);

@@ -20,7 +20,7 @@ const Pose2 kWrongPrior = kTruth * Pose2(0.5, -0.4, DegreesToRadians(60.0));
 class ScanMatching : public ::testing::Test {
  protected:
   ScanMatch Match(const Pose2& prior, double expected_score, bool prior_is_measured = false) const {
-    return MatchScan(points_, room_.grid(), prior, prior_is_measured, expected_score, options_);
+    return MatchScan(points_, room_.grid(), {prior, prior_is_measured, {}}, expected_score, options_);
   }
 
   LocalSlamOptions options_;
@@ -51,6 +51,25 @@ TEST_F(ScanMatching, LooksFurtherFromAPriorThatNobodyMeasured) {
   EXPECT_THAT(Match(prior, 0.0, false).submap_from_base, PoseNear(kTruth, 0.08, 0.02));
   options_.unmeasured_prior_scale = 1.0;
   EXPECT_THAT(Match(prior, 0.0, false).submap_from_base, Not(PoseNear(kTruth, 0.15, 0.02)));
+}
+
+TEST_F(ScanMatching, BelievesTheVelocityWhereItMatchesAndOdometryDoesNot) {
+  options_.use_online_correlative_scan_matching = true;
+  options_.second_prior_relative_score = 0.8;
+  const Pose2 by_velocity = kTruth * Pose2(0.03, 0.02, 0.01);
+  const double good_score = Match(by_velocity, 0.0).score;
+  const auto match = [&](const Pose2& second_prior, double expected_score) {
+    return MatchScan(points_, room_.grid(), {kWrongPrior, true, second_prior}, expected_score,
+                     options_);
+  };
+  EXPECT_THAT(match(by_velocity, good_score).submap_from_base, PoseNear(kTruth, 0.02, 0.01));
+  EXPECT_EQ(match(by_velocity, 0.0).submap_from_base, Match(kWrongPrior, 0.0, true).submap_from_base)
+      << "it matches as well as can be expected where odometry has it";
+  EXPECT_EQ(match(by_velocity, 2.0 * good_score).submap_from_base,
+            Match(kWrongPrior, 0.0, true).submap_from_base)
+      << "it matches at neither";
+  options_.second_prior_relative_score = 0.0;
+  EXPECT_THAT(match(by_velocity, good_score).submap_from_base, Not(PoseNear(kTruth, 0.2, 0.2)));
 }
 
 TEST_F(ScanMatching, SearchesWidelyForAScanThatMatchesWorseThanExpected) {

@@ -96,8 +96,9 @@ TEST(ReplayMatch, MatchesAgainToTheRecordedPoseBitForBit) {
     const auto replay = ReplayMatch(recording, step);
     ASSERT_TRUE(replay);
     // With nothing expected of the score, nothing is searched for widely.
-    const ScanMatch match = MatchScan(replay->points, replay->grid, replay->submap_from_base_prior,
-                                      true, 0.0, recording.options().trajectory_builder_2d);
+    const ScanMatch match =
+        MatchScan(replay->points, replay->grid, {replay->submap_from_base_prior, true, {}}, 0.0,
+                  recording.options().trajectory_builder_2d);
     const Pose2& local_from_submap = recording.submap(replay->submap).local_from_submap;
     EXPECT_EQ(local_from_submap * match.submap_from_base, recording.step(step).local_from_base);
     ASSERT_TRUE(match.submap_from_base_correlative);
