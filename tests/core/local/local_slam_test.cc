@@ -127,15 +127,25 @@ TEST(LocalSlam, RecoversFromAnOdometryJumpOf85Degrees) {
   }
 }
 
-TEST(LocalSlam, IsLostAfterAnOdometryJumpOf85DegreesWithoutRecovery) {
-  Simulation simulation = FirstScans(kJumpScan + 20);
-  JumpOdometry(kJumpScan, DegreesToRadians(85.0), &simulation.log);
+/// The motion from before an odometry jump of 85 deg until 20 scans after it, without recovery.
+Pose2 MotionOverJumpWithoutRecovery(const Simulation& simulation,
+                                    double second_prior_relative_score) {
+  ScanLog log = simulation.log;
+  JumpOdometry(kJumpScan, DegreesToRadians(85.0), &log);
   LocalSlamOptions options = SmallLoopOptions().trajectory_builder_2d;
   options.recovery.min_relative_score = 0.0;
-  const auto results = AddAllScans(simulation.log, options);
-  EXPECT_THAT(Motion(results, kJumpScan - 1, kJumpScan + 19),
-              Not(PoseNear(TrueMotion(simulation, kJumpScan - 1, kJumpScan + 19), 0.5,
-                           DegreesToRadians(45.0))));
+  options.second_prior_relative_score = second_prior_relative_score;
+  return Motion(AddAllScans(log, options), kJumpScan - 1, kJumpScan + 19);
+}
+
+TEST(LocalSlam, IsLostAfterAnOdometryJumpOf85DegreesIfItOnlyBelievesOdometry) {
+  const Simulation simulation = FirstScans(kJumpScan + 20);
+  const Pose2 truth = TrueMotion(simulation, kJumpScan - 1, kJumpScan + 19);
+  EXPECT_THAT(MotionOverJumpWithoutRecovery(simulation, 0.0),
+              Not(PoseNear(truth, 0.5, DegreesToRadians(45.0))));
+  EXPECT_THAT(MotionOverJumpWithoutRecovery(simulation, 0.8),
+              PoseNear(truth, 0.1, DegreesToRadians(2.0)))
+      << "the velocity knows better";
 }
 
 TEST(LocalSlam, IsTheSameWithRecoveryWhereNothingGoesWrong) {
