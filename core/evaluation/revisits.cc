@@ -56,7 +56,8 @@ class NearestNodes {
   std::map<SubmapPair, Revisit> nearest_;
 };
 
-/// A return, roughly: in which cell of a coarse lattice, and in which eighth of a turn the beam went.
+/// A return, roughly: in which cell of a coarse lattice, and in which eighth of a turn the beam
+/// went.
 struct CoarseReturn {
   CellIndex cell;
   int octant = 0;
@@ -68,8 +69,8 @@ class CoarseReturns {
   CoarseReturns(const Recording& recording, const ReferencePoses& reference)
       : recording_(recording), reference_(reference) {}
 
-  /// The share of the returns of `node` that have one of `submap` in the same or a next cell, and in
-  /// the same or a next octant.
+  /// The share of the returns of `node` that have one of `submap` in the same or a next cell, and
+  /// in the same or a next octant.
   double Overlap(SubmapId submap, NodeId node) {
     const std::vector<CoarseReturn> returns = ReturnsOf(node);
     if (returns.empty()) return 0.0;
@@ -102,8 +103,8 @@ class CoarseReturns {
     constexpr double kResolution = 0.25;  // [m]
     std::vector<CoarseReturn> returns;
     if (!reference_[node.index]) return returns;
-    const RangeData range_data = Transform(
-        *reference_[node.index], RangeDataOfStep(recording_, recording_.node(node).step));
+    const RangeData range_data =
+        Transform(*reference_[node.index], RangeDataOfStep(recording_, recording_.node(node).step));
     for (const Eigen::Vector2d& point : range_data.returns) {
       const Eigen::Vector2d beam = point - range_data.origin;
       const double eighths = std::atan2(beam.y(), beam.x()) / (0.25 * M_PI);  // -4 ... 4

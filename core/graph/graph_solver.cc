@@ -89,8 +89,8 @@ class LeastSquares {
     gradient_.setZero();
     for (const Term& term : terms_) {
       Eigen::Vector3d error = WeightedError(term, poses);
-      SpaDerivatives jacobian = DerivativesOfSpaError(
-          poses.at(term.i), poses.from_global(term.i), poses.at(term.j));
+      SpaDerivatives jacobian =
+          DerivativesOfSpaError(poses.at(term.i), poses.from_global(term.i), poses.at(term.j));
       const double scale =
           term.robust ? std::sqrt(HuberWeight(error.squaredNorm(), huber_scale_)) : 1.0;
       error *= scale;
@@ -156,8 +156,8 @@ class LeastSquares {
   }
 
   static Eigen::Vector3d WeightedError(const Term& term, const Poses& poses) {
-    return term.weights.cwiseProduct(SpaError(
-        term.i_from_j, poses.at(term.i), poses.from_global(term.i), poses.at(term.j)));
+    return term.weights.cwiseProduct(
+        SpaError(term.i_from_j, poses.at(term.i), poses.from_global(term.i), poses.at(term.j)));
   }
 
   void AddUnknown(int unknown, const Eigen::Matrix3d& jacobian, const Eigen::Vector3d& error) {

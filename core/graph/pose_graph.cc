@@ -24,7 +24,8 @@ PoseGraph::PoseGraph(const PoseGraphOptions& options, int num_threads)
       loop_search_(options.constraint_builder, num_threads) {}
 
 void PoseGraph::AddSubmap(const Pose2& local_from_submap) {
-  submaps_.push_back({local_from_submap, NodeId{static_cast<int>(nodes_.size())}, 0, {}, 0.0, 0.0, {}});
+  submaps_.push_back(
+      {local_from_submap, NodeId{static_cast<int>(nodes_.size())}, 0, {}, 0.0, 0.0, {}});
   global_from_submap_.push_back(global_from_local_ * local_from_submap);
 }
 
@@ -231,9 +232,8 @@ std::vector<SubmapPlace> PoseGraph::FinishedPlaces(std::size_t num_submaps) cons
   for (std::size_t i = 0; i < num_submaps; ++i) {
     const SubmapId id = finished_submaps_[i];
     const SubmapData& data = submaps_[id.index];
-    places.push_back(
-        {id, global_from_submap_[id.index], data.node_box, data.first_node, data.num_nodes,
-         &*data.seen});
+    places.push_back({id, global_from_submap_[id.index], data.node_box, data.first_node,
+                      data.num_nodes, &*data.seen});
   }
   return places;
 }

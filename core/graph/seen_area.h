@@ -28,8 +28,8 @@ class SeenArea {
 
   double block_size_;  ///< [m]
   CellBox known_;
-  int width_;   ///< [blocks]
-  int height_;  ///< [blocks]
+  int width_;                            ///< [blocks]
+  int height_;                           ///< [blocks]
   std::vector<std::uint8_t> distances_;  ///< [1/5 block], by block, row-major
 };
 

@@ -72,8 +72,7 @@ ScanCells CastRays(const RangeData& data, double resolution, double max_wall_gap
     const CellIndex cell = CellOf(point, resolution);
     marks.MarkRun(cell.y, cell.x, cell.x, &cells.hits);
   };
-  const PointCloud walls =
-      PointsBetween(data.returns, max_wall_gap, kStepsAlongWalls * resolution);
+  const PointCloud walls = PointsBetween(data.returns, max_wall_gap, kStepsAlongWalls * resolution);
   std::for_each(data.returns.begin(), data.returns.end(), hit);
   std::for_each(walls.begin(), walls.end(), hit);
   const Eigen::Vector2d origin = ToPixelFrame(data.origin, resolution);

@@ -11,7 +11,8 @@ namespace loopscope {
 /// Hits are the cells of the returns; misses are all other cells whose pixel is crossed by a ray
 /// from the origin to a return or to the end of a miss, exactly, not only to the nearest cell. A
 /// cell appears at most once, hits before misses. The order of the cells is that of the rays.
-/// Hits are also the cells of walls between returns up to `max_wall_gap` [m] apart, see PointsBetween.
+/// Hits are also the cells of walls between returns up to `max_wall_gap` [m] apart, see
+/// PointsBetween.
 ScanCells CastRays(const RangeData& data, double resolution, double max_wall_gap = 0.0);
 
 }  // namespace loopscope

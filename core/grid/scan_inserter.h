@@ -11,8 +11,8 @@ struct ScanInserterOptions {
   double hit_probability = 0.55;   ///< above 0.5
   double miss_probability = 0.49;  ///< below 0.5
   bool insert_free_space = true;   ///< whether misses are written
-  /// [m] Between neighbouring returns of one wall, up to which it is taken to go on; 0: never. Not in
-  /// Cartographer.
+  /// [m] Between neighbouring returns of one wall, up to which it is taken to go on; 0: never. Not
+  /// in Cartographer.
   double max_wall_gap = 0.0;
 };
 

@@ -49,9 +49,8 @@ void LocalSlam::Match(double time, LocalSlamResult* result) {
   if (points.empty() || static_cast<int>(points.size()) < options_.min_num_matched_points) return;
   const Pose2& local_from_submap = submap->local_from_submap;
   const Pose2 submap_from_local = local_from_submap.Inverse();
-  MatchPrior prior{submap_from_local * result->local_from_base_prior,
-                   result->odom_from_base.has_value(),
-                   {}};
+  MatchPrior prior{
+      submap_from_local * result->local_from_base_prior, result->odom_from_base.has_value(), {}};
   if (prior.is_measured) {
     prior.submap_from_base_by_velocity = submap_from_local * extrapolator_.PredictByVelocity(time);
   }

@@ -44,9 +44,9 @@ struct LocalSlamOptions {
   /// Number of scans over which it is learned whether stamps tell how far the robot went; 0: they
   /// do. For scans without odometry; not in Cartographer.
   int steady_pace_memory = 0;
-  /// Share of the last motion in the velocity that predicts the next one where there is no odometry;
-  /// the rest is the velocity before. Not in Cartographer. Where little tells how far the robot went,
-  /// a velocity that follows each match runs away.
+  /// Share of the last motion in the velocity that predicts the next one where there is no
+  /// odometry; the rest is the velocity before. Not in Cartographer. Where little tells how far the
+  /// robot went, a velocity that follows each match runs away.
   double velocity_gain = 1.0;
   /// A scan that matches less than this share of what those before had on average, where odometry
   /// puts it, is also matched where the velocity does; 0: never. Not in Cartographer.

@@ -22,8 +22,8 @@ class PoseExtrapolator {
   /// there and is now; else as PredictByVelocity has it. The identity before any pose is known.
   Pose2 Predict(double time, const std::optional<Pose2>& odom_from_base) const;
 
-  /// Whatever odometry says: the robot goes on at its velocity, and turns as it did between the last
-  /// two poses, both kept up as SteadyPace has it. The last pose while there is no other.
+  /// Whatever odometry says: the robot goes on at its velocity, and turns as it did between the
+  /// last two poses, both kept up as SteadyPace has it. The last pose while there is no other.
   Pose2 PredictByVelocity(double time) const;
 
   /// Tells where the scan at `time` was matched.
@@ -46,7 +46,8 @@ class PoseExtrapolator {
   OdometryDirection direction_;
   SteadyPace pace_;
   double velocity_gain_;
-  Eigen::Vector2d velocity_ = Eigen::Vector2d::Zero();  ///< [m] for a scan, in the frame of the base
+  Eigen::Vector2d velocity_ =
+      Eigen::Vector2d::Zero();  ///< [m] for a scan, in the frame of the base
 };
 
 }  // namespace loopscope

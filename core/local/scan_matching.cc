@@ -80,8 +80,8 @@ ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& gri
                                    prior.is_measured ? options : Loosened(options));
   const double good_score = options.second_prior_relative_score * expected_score;
   if (near.score < good_score && prior.submap_from_base_by_velocity) {
-    const ScanMatch by_velocity = MatchNear(
-        points_in_base, grid, *prior.submap_from_base_by_velocity, Loosened(options));
+    const ScanMatch by_velocity =
+        MatchNear(points_in_base, grid, *prior.submap_from_base_by_velocity, Loosened(options));
     if (by_velocity.score >= good_score) return by_velocity;
   }
   const double min_score = options.recovery.min_relative_score * expected_score;

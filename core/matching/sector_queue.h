@@ -14,7 +14,8 @@
 
 namespace loopscope {
 
-/// Start nodes (eq. 13) that lie side by side, at neighbouring angles, with a bound for all of them.
+/// Start nodes (eq. 13) that lie side by side, at neighbouring angles, with a bound for all of
+/// them.
 struct Sector {
   CellIndex first;  ///< [cells] offsets of the window, both ends included
   CellIndex last;

@@ -48,9 +48,9 @@ ScanCells CellsOfNode(const Recording& recording, SubmapId submap, NodeId node) 
   const double resolution = options.grid_resolution;
   const RangeData range_data_in_local = Transform(
       recording.node(node).local_from_base, RangeDataOfStep(recording, recording.node(node).step));
-  return ToSubmapLattice(CastRays(range_data_in_local, resolution,
-                                  options.range_data_inserter.max_wall_gap),
-                         recording.submap(submap).local_from_submap, resolution);
+  return ToSubmapLattice(
+      CastRays(range_data_in_local, resolution, options.range_data_inserter.max_wall_gap),
+      recording.submap(submap).local_from_submap, resolution);
 }
 
 ProbabilityGrid GridOfSubmap(const Recording& recording, SubmapId submap, int num_nodes) {

@@ -103,7 +103,8 @@ Rows SubmapsRows(SubmapsOptions* o) {
       {grid_inserter + "miss_probability", &inserter.miss_probability, 0.1, 0.499, "",
        "What a miss says about its cell."},
       {grid_inserter + "max_wall_gap", &inserter.max_wall_gap, 0, kMaxLength, "m",
-       "Between neighbouring returns of one straight wall, up to which cells between them are hits, "
+       "Between neighbouring returns of one straight wall, up to which cells between them are "
+       "hits, "
        "too; 0: never. Not in Cartographer."},
   };
 }
@@ -126,12 +127,14 @@ Rows LocalSlamRows(LocalSlamOptions* o) {
   rows.push_back({"unmeasured_prior_scale", &o->unmeasured_prior_scale, 1, 100, "",
                   "Without odometry, the windows of local matching are larger, and its weights on "
                   "leaving the prediction smaller, by this factor."});
-  rows.push_back({"velocity_gain", &o->velocity_gain, 0.01, 1, "",
-                  "Without odometry, share of the last motion in the velocity that predicts the next "
-                  "one. Not in Cartographer."});
-  rows.push_back({"second_prior_relative_score", &o->second_prior_relative_score, 0, 1, "",
-                  "A scan that matches less than this share of the average where odometry puts it is "
-                  "also matched where the velocity does; 0: never. Not in Cartographer."});
+  rows.push_back(
+      {"velocity_gain", &o->velocity_gain, 0.01, 1, "",
+       "Without odometry, share of the last motion in the velocity that predicts the next "
+       "one. Not in Cartographer."});
+  rows.push_back(
+      {"second_prior_relative_score", &o->second_prior_relative_score, 0, 1, "",
+       "A scan that matches less than this share of the average where odometry puts it is "
+       "also matched where the velocity does; 0: never. Not in Cartographer."});
   rows.push_back({"use_online_correlative_scan_matching", &o->use_online_correlative_scan_matching,
                   0, 0, "", "Whether the correlative matcher runs before (CS)."});
   Append("real_time_correlative_scan_matcher.",

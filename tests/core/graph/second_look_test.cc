@@ -72,9 +72,9 @@ TEST_F(SecondLookTest, TakesOnlyNodesAtPlacesThatTheSubmapHasSeen) {
   options_.max_unseen_distance = 0.3;
   options_.num_nodes = 10;
   SecondLook look(options_);
-  EXPECT_THAT(Choose(&look), ElementsAre(PairOf(0, 10), PairOf(0, 11), PairOf(0, 12), PairOf(0, 13),
-                                         PairOf(0, 14), PairOf(5, 0), PairOf(5, 1), PairOf(5, 2),
-                                         PairOf(5, 3), PairOf(5, 4)));
+  EXPECT_THAT(Choose(&look),
+              ElementsAre(PairOf(0, 10), PairOf(0, 11), PairOf(0, 12), PairOf(0, 13), PairOf(0, 14),
+                          PairOf(5, 0), PairOf(5, 1), PairOf(5, 2), PairOf(5, 3), PairOf(5, 4)));
 }
 
 TEST_F(SecondLookTest, LeavesWhatALoopTies) {

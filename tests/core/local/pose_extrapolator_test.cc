@@ -26,7 +26,8 @@ PoseExtrapolator MovingExtrapolator() {
 }
 
 TEST(PoseExtrapolator, BeginsAtTheIdentity) {
-  EXPECT_EQ(PoseExtrapolator(kStraight, kByStamps, 1.0).Predict(5.0, Pose2(3.0, 2.0, 1.0)), Pose2());
+  EXPECT_EQ(PoseExtrapolator(kStraight, kByStamps, 1.0).Predict(5.0, Pose2(3.0, 2.0, 1.0)),
+            Pose2());
 }
 
 TEST(PoseExtrapolator, StaysWhenItKnowsOnlyOnePose) {

@@ -20,7 +20,8 @@ const Pose2 kWrongPrior = kTruth * Pose2(0.5, -0.4, DegreesToRadians(60.0));
 class ScanMatching : public ::testing::Test {
  protected:
   ScanMatch Match(const Pose2& prior, double expected_score, bool prior_is_measured = false) const {
-    return MatchScan(points_, room_.grid(), {prior, prior_is_measured, {}}, expected_score, options_);
+    return MatchScan(points_, room_.grid(), {prior, prior_is_measured, {}}, expected_score,
+                     options_);
   }
 
   LocalSlamOptions options_;
@@ -63,7 +64,8 @@ TEST_F(ScanMatching, BelievesTheVelocityWhereItMatchesAndOdometryDoesNot) {
                      options_);
   };
   EXPECT_THAT(match(by_velocity, good_score).submap_from_base, PoseNear(kTruth, 0.02, 0.01));
-  EXPECT_EQ(match(by_velocity, 0.0).submap_from_base, Match(kWrongPrior, 0.0, true).submap_from_base)
+  EXPECT_EQ(match(by_velocity, 0.0).submap_from_base,
+            Match(kWrongPrior, 0.0, true).submap_from_base)
       << "it matches as well as can be expected where odometry has it";
   EXPECT_EQ(match(by_velocity, 2.0 * good_score).submap_from_base,
             Match(kWrongPrior, 0.0, true).submap_from_base)

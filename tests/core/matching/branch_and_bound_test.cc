@@ -76,8 +76,8 @@ TEST(BranchAndBound, IsTheSameWithAndWithoutATrace) {
   }
 }
 
-/// Windows of many squares, and many angles that are bounded together: with sectors of one size, and
-/// with larger ones that are split.
+/// Windows of many squares, and many angles that are bounded together: with sectors of one size,
+/// and with larger ones that are split.
 TEST(BranchAndBound, IsTheSameInWideWindowsWithAndWithoutATrace) {
   for (int seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
@@ -87,13 +87,15 @@ TEST(BranchAndBound, IsTheSameInWideWindowsWithAndWithoutATrace) {
     const BranchAndBoundMatcher matcher(world.grid, 7);
     const auto anywhere = [&](double window) { return random.Uniform(-window, window); };
     const Pose2 guess =
-        world.submap_from_scan * Pose2(anywhere(0.7 * linear_window),
-                                       anywhere(0.7 * linear_window), anywhere(0.95));
+        world.submap_from_scan *
+        Pose2(anywhere(0.7 * linear_window), anywhere(0.7 * linear_window), anywhere(0.95));
     double best_score = 0.0;
     for (const double min_score : {0.0, 0.4, 0.6, 0.8, 0.89}) {
       SearchTrace trace;
-      const auto with = matcher.Search(world.points_in_scan, guess, linear_window, 1.0, min_score, &trace);
-      const auto without = matcher.Search(world.points_in_scan, guess, linear_window, 1.0, min_score);
+      const auto with =
+          matcher.Search(world.points_in_scan, guess, linear_window, 1.0, min_score, &trace);
+      const auto without =
+          matcher.Search(world.points_in_scan, guess, linear_window, 1.0, min_score);
       ASSERT_EQ(with.winner.has_value(), without.winner.has_value());
       EXPECT_EQ(with.best_found.submap_from_scan, without.best_found.submap_from_scan);
       EXPECT_EQ(with.best_found.score, without.best_found.score);
@@ -102,7 +104,8 @@ TEST(BranchAndBound, IsTheSameInWideWindowsWithAndWithoutATrace) {
       EXPECT_EQ(without.winner.has_value(), best_score > min_score);
     }
     const PlainPrecomputedGrids plain_grids(world.grid, 7);
-    const SearchWindow window = MakeSearchWindow(world.points_in_scan, guess, linear_window, 1.0, 0.05);
+    const SearchWindow window =
+        MakeSearchWindow(world.points_in_scan, guess, linear_window, 1.0, 0.05);
     EXPECT_EQ(PlainBranchAndBound(plain_grids, window, world.points_in_scan, 0.0)->score,
               best_score);
   }
