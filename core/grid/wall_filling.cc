@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/grid/wall_filling.h"
 
+#include <algorithm>
 #include <cmath>
-
-#include "core/geometry/pose2.h"
 
 namespace loopscope {
 namespace {
 
-/// The sine of the turn that a straight line may make at a return.
-const double kMaxTurn = std::sin(DegreesToRadians(5.0));
+/// The sine of the turn that a straight line may make at a return, 5 deg.
+constexpr double kMaxTurn = 0.08715574274765817;
 /// The returns before and after tell the direction less well if they are farther away [gaps].
 constexpr double kMaxArm = 2.0;
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <queue>
+#include <utility>
 #include <vector>
 
 #include "core/matching/precomputed_grids.h"

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/graph/seen_area.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "core/simulation/random.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/matching/sector_queue.h"
 
+#include <limits>
 #include <map>
 #include <tuple>
 
