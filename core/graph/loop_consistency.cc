@@ -19,6 +19,14 @@ bool Agree(const LoopDrift& a, const LoopDrift& b, const LoopConsistencyOptions&
              options.max_distance + options.max_distance_per_meter * (node_way + submap_way);
 }
 
+void LoopDrifts::AddNear(const LoopDrift& loop, double max_way,
+                         std::vector<LoopDrift>* near) const {
+  const auto end = by_node_way_.upper_bound(loop.node_way + max_way);
+  for (auto i = by_node_way_.lower_bound(loop.node_way - max_way); i != end; ++i) {
+    near->push_back(i->second);
+  }
+}
+
 int NumSupporters(const LoopDrift& loop, const std::vector<LoopDrift>& others,
                   const LoopConsistencyOptions& options) {
   std::map<int, double> way_of_node;

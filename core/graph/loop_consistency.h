@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <vector>
 
 #include "core/geometry/id.h"
@@ -36,6 +38,19 @@ struct LoopDrift {
 
 /// Whether two loops say the same of the drift.
 bool Agree(const LoopDrift& a, const LoopDrift& b, const LoopConsistencyOptions& options);
+
+/// Many loops, of which only those that a loop may be compared with are looked at.
+class LoopDrifts {
+ public:
+  void Add(const LoopDrift& loop) { by_node_way_.emplace(loop.node_way, loop); }
+  std::size_t size() const { return by_node_way_.size(); }
+
+  /// Adds the loops of nodes no farther than `max_way` [m] from that of `loop` to `near`.
+  void AddNear(const LoopDrift& loop, double max_way, std::vector<LoopDrift>* near) const;
+
+ private:
+  std::multimap<double, LoopDrift> by_node_way_;
+};
 
 /// Number of nodes with a loop among `others` that agrees with `loop`, of those that are min_way
 /// from its node and from each other.

@@ -154,7 +154,7 @@ void PoseGraph::TakeIn(std::vector<LoopCandidate>* candidates, int step) {
   for (LoopCandidate& candidate : *candidates) {
     candidate.applied_step = step;
     if (candidate.verdict != Verdict::kAccepted) continue;
-    loop_drifts_.push_back(DriftOf(candidate));
+    loop_drifts_.Add(DriftOf(candidate));
     constraints_.push_back(ToConstraint(candidate, options_.constraint_builder));
     const NodeData& node = nodes_[candidate.node.index];
     travel_graph_.AddLoop(candidate.submap, node.first_submap);
@@ -238,25 +238,34 @@ std::vector<SubmapPlace> PoseGraph::FinishedPlaces(std::size_t num_submaps) cons
   return places;
 }
 
-std::vector<LoopDrift> PoseGraph::DriftsWith(const std::vector<LoopCandidate>& candidates) const {
-  std::vector<LoopDrift> drifts = loop_drifts_;
+LoopDrifts PoseGraph::DriftsOf(const std::vector<LoopCandidate>& candidates) const {
+  LoopDrifts drifts;
   for (const LoopCandidate& candidate : candidates) {
-    if (candidate.verdict == Verdict::kAccepted) drifts.push_back(DriftOf(candidate));
+    if (candidate.verdict == Verdict::kAccepted) drifts.Add(DriftOf(candidate));
   }
   return drifts;
+}
+
+int PoseGraph::NumSupportersOf(const LoopCandidate& loop, const LoopDrifts& found) const {
+  const LoopConsistencyOptions& options = options_.constraint_builder.consistency;
+  const LoopDrift drift = DriftOf(loop);
+  std::vector<LoopDrift> near;
+  loop_drifts_.AddNear(drift, options.max_way, &near);
+  found.AddNear(drift, options.max_way, &near);
+  return NumSupporters(drift, near, options);
 }
 
 void PoseGraph::CheckLoneLoops(std::vector<LoopCandidate>* candidates) {
   const LoopConsistencyOptions& options = options_.constraint_builder.consistency;
   if (options.num_checked_neighbors == 0) return;
-  const std::vector<LoopDrift> drifts = DriftsWith(*candidates);
+  const LoopDrifts drifts = DriftsOf(*candidates);
   std::vector<const LoopCandidate*> lone_loops;
   std::map<SubmapId, std::map<NodeId, LoopCandidate*>> left_out;
   for (LoopCandidate& candidate : *candidates) {
     if (candidate.verdict == Verdict::kNotSampled) {
       left_out[candidate.submap].emplace(candidate.node, &candidate);
     } else if (candidate.verdict == Verdict::kAccepted &&
-               NumSupporters(DriftOf(candidate), drifts, options) < options.min_num_supporters) {
+               NumSupportersOf(candidate, drifts) < options.min_num_supporters) {
       lone_loops.push_back(&candidate);
     }
   }
@@ -287,10 +296,10 @@ void PoseGraph::SearchWhereLoopHasIt(const LoopCandidate& loop, LoopCandidate* p
 void PoseGraph::RejectInconsistent(std::vector<LoopCandidate>* candidates) const {
   const LoopConsistencyOptions& options = options_.constraint_builder.consistency;
   if (options.min_num_supporters == 0) return;
-  const std::vector<LoopDrift> drifts = DriftsWith(*candidates);
+  const LoopDrifts drifts = DriftsOf(*candidates);
   for (LoopCandidate& candidate : *candidates) {
     if (candidate.verdict != Verdict::kAccepted) continue;
-    candidate.num_supporters = NumSupporters(DriftOf(candidate), drifts, options);
+    candidate.num_supporters = NumSupportersOf(candidate, drifts);
     if (candidate.num_supporters < options.min_num_supporters && !MapAgreesWith(candidate)) {
       candidate.verdict = Verdict::kInconsistent;
     }

@@ -78,8 +78,10 @@ class PoseGraph {
   /// Searches neighbours of the loops that stand alone, where those have them.
   void CheckLoneLoops(std::vector<LoopCandidate>* candidates);
   void SearchWhereLoopHasIt(const LoopCandidate& loop, LoopCandidate* pair);
-  /// Of the loops found and those accepted before.
-  std::vector<LoopDrift> DriftsWith(const std::vector<LoopCandidate>& candidates) const;
+  /// Of those accepted so far.
+  LoopDrifts DriftsOf(const std::vector<LoopCandidate>& candidates) const;
+  /// Among the loops found now and those accepted before.
+  int NumSupportersOf(const LoopCandidate& loop, const LoopDrifts& found) const;
   /// Turns the verdict on accepted candidates that too few others agree with. For those of a last
   /// look it is enough that the optimized map does.
   void RejectInconsistent(std::vector<LoopCandidate>* candidates) const;
@@ -112,7 +114,7 @@ class PoseGraph {
   std::size_t num_looked_at_ = 0;  ///< of finished_submaps_: those whose own pairs were collected
   std::vector<double> node_ways_;  ///< [m] that the robot had gone at each node
   double counted_way_ = 0.0;       ///< [m] to the last node, as CountedWay has it
-  std::vector<LoopDrift> loop_drifts_;    ///< of the loops that were accepted
+  LoopDrifts loop_drifts_;                ///< of the loops that were accepted
   std::vector<DriftShare> drift_shares_;  ///< likewise
   DriftShare drift_share_;                ///< to search in
   SecondLook second_look_;

@@ -59,6 +59,17 @@ TEST(Agree, SaysNothingOfLoopsThatAreFarFromEachOther) {
   EXPECT_FALSE(Agree(loop, Loop(8, kDrift, 100.0, 25.1), Options()));
 }
 
+TEST(LoopDrifts, GiveThoseNearAlongTheWay) {
+  LoopDrifts drifts;
+  for (int node = 0; node < 10; ++node) drifts.Add(Loop(node, kDrift, 100.0 - 7.0 * node));
+  EXPECT_EQ(drifts.size(), 10u);
+  std::vector<LoopDrift> near{Loop(50, kDrift)};
+  drifts.AddNear(Loop(99, kDrift, 79.0), 10.0, &near);
+  std::vector<int> nodes;
+  for (const LoopDrift& loop : near) nodes.push_back(loop.node.index);
+  EXPECT_EQ(nodes, (std::vector<int>{50, 4, 3, 2})) << "behind what was there";
+}
+
 TEST(NumSupporters, CountsNodesAndNotLoops) {
   const LoopDrift loop = Loop(7, kDrift);
   EXPECT_EQ(NumSupporters(loop, {}, Options()), 0);
