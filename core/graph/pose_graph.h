@@ -114,7 +114,7 @@ class PoseGraph {
   std::size_t num_looked_at_ = 0;  ///< of finished_submaps_: those whose own pairs were collected
   std::vector<double> node_ways_;  ///< [m] that the robot had gone at each node
   double counted_way_ = 0.0;       ///< [m] to the last node, as CountedWay has it
-  LoopDrifts loop_drifts_;                ///< of the loops that were accepted
+  LoopDrifts loop_drifts_;         ///< of the loops that were accepted
   std::vector<DriftShare> drift_shares_;  ///< likewise
   DriftShare drift_share_;                ///< to search in
   SecondLook second_look_;
