@@ -33,7 +33,7 @@ SectorQueue::SectorQueue(const PrecomputedGrids& grids, const SearchWindow& wind
   };
   int level = 0;
   while (level < kMaxLevel && is_worth_it(level + 1)) ++level;
-  AddSectors({{-w, -w}, {w, w}}, -window.num_angular_steps, window.num_angular_steps, level);
+  AddSectors({{-w, -w}, {w, w}, -window.num_angular_steps, window.num_angular_steps}, level);
 }
 
 std::optional<Sector> SectorQueue::Pop(int min_bound) {
@@ -41,20 +41,16 @@ std::optional<Sector> SectorQueue::Pop(int min_bound) {
     const Sector sector = sectors_.top();
     sectors_.pop();
     if (sector.level == 0) return sector;
-    Split(sector);
+    AddSectors(sector, sector.level - 1);
   }
   return std::nullopt;
 }
 
-void SectorQueue::Split(const Sector& sector) {
-  AddSectors(sector, sector.first_angle, sector.last_angle, sector.level - 1);
-}
-
-void SectorQueue::AddSectors(Sector area, int first_angle, int last_angle, int level) {
+void SectorQueue::AddSectors(const Sector& area, int level) {
   const int side = kBlocksPerSide << HeightOf(level);  // [cells] of a square
   const int num_angles = 1 << HeightOf(level);
-  for (int angle = first_angle; angle <= last_angle; angle += num_angles) {
-    const int end_angle = std::min(angle + num_angles - 1, last_angle);
+  for (int angle = area.first_angle; angle <= area.last_angle; angle += num_angles) {
+    const int end_angle = std::min(angle + num_angles - 1, area.last_angle);
     const std::vector<CellIndex> none;
     const std::vector<CellIndex>& cells = with_bounds_ ? LowestCellsAt(angle, end_angle) : none;
     for (int y = area.first.y; y <= area.last.y; y += side) {

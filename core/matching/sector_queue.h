@@ -43,10 +43,9 @@ class SectorQueue {
 
  private:
   int HeightOf(int level) const { return start_height_ + level; }
-  /// Those at the angles `first_angle` to `last_angle` of the window, within `area`.
-  void AddSectors(Sector area, int first_angle, int last_angle, int level);
+  /// Splits `area` into sectors of `level`.
+  void AddSectors(const Sector& area, int level);
   void AddRowsOfSquare(const Sector& square, const std::vector<CellIndex>& cells);
-  void Split(const Sector& sector);
   /// See search_lattice; kept, for sectors of the same angles are split one after the other.
   const std::vector<CellIndex>& LowestCellsAt(int first_angle, int last_angle);
 
