@@ -31,6 +31,11 @@ LoopGate EvaluateLoopGate(const Pose2& submap_from_node_guess, const Eigen::Alig
   return gate;
 }
 
+double MaxGateDistance(const ConstraintBuilderOptions& options) {
+  const double least = options.fast_correlative_scan_matcher.linear_search_window;
+  return options.max_constraint_distance + std::max(0.0, options.max_linear_search_window - least);
+}
+
 double SamplingShare(double linear_window, double gap, const ConstraintBuilderOptions& options) {
   constexpr double kLeastOfGap = 0.25;
   const double full_window = options.full_sampling_search_window;

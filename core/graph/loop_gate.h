@@ -30,6 +30,9 @@ struct LoopGate {
 LoopGate EvaluateLoopGate(const Pose2& submap_from_node_guess, const Eigen::AlignedBox2d& node_box,
                           double way, const ConstraintBuilderOptions& options);
 
+/// [m] No gate with these options is near beyond it.
+double MaxGateDistance(const ConstraintBuilderOptions& options);
+
 /// By how much a pair counts when pairs are sampled, in (0, 1]: less if its `linear_window` [m] is
 /// wide, for the time that it takes, and less if the node is no farther than `gap` [m] from the one
 /// before, for it tells little new. One that only turned counts a quarter.

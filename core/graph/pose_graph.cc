@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/graph/pose_graph.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -33,6 +34,7 @@ void PoseGraph::AddNode(const NodeData& node, int step) {
   const NodeId id{static_cast<int>(nodes_.size())};
   nodes_.push_back(node);
   global_from_node_.push_back(global_from_local_ * node.local_from_node);
+  node_places_.Add(id.index, global_from_node_.back().translation);
   AddWayTo(id);
   for (int i = 0; i < node.num_submaps; ++i) {
     const SubmapId submap{node.first_submap.index + i};
@@ -45,8 +47,31 @@ void PoseGraph::AddNode(const NodeData& node, int step) {
   }
   AddConsecutive(id);
   ++num_nodes_since_optimization_;
-  const std::vector<double> ways = travel_graph_.WaysFrom(node.first_submap);
-  for (const SubmapId submap : finished_submaps_) Consider(submap, id, ways[submap.index], step);
+  ConsiderNearSubmaps(id, step);
+}
+
+void PoseGraph::ConsiderNearSubmaps(NodeId node, int step) {
+  const Eigen::Vector2d& place = global_from_node_[node.index].translation;
+  const std::vector<double>& ways = travel_graph_.WaysFrom(nodes_[node.index].first_submap);
+  for (const int submap : finished_places_.Near(place, max_submap_radius_ + LoopReach())) {
+    Consider(SubmapId{submap}, node, ways[submap], step);
+  }
+}
+
+void PoseGraph::ConsiderNearNodes(SubmapId submap, int step) {
+  const double radius = 0.5 * submaps_[submap.index].node_box.diagonal().norm();
+  const std::vector<double>& ways = travel_graph_.WaysFrom(submap);
+  for (const int node : node_places_.Near(CenterOf(submap), radius + LoopReach())) {
+    Consider(submap, NodeId{node}, ways[nodes_[node].first_submap.index], step);
+  }
+}
+
+double PoseGraph::LoopReach() const {
+  return MaxGateDistance(options_.constraint_builder);
+}
+
+Eigen::Vector2d PoseGraph::CenterOf(SubmapId submap) const {
+  return global_from_submap_[submap.index] * submaps_[submap.index].node_box.center();
 }
 
 void PoseGraph::AddWayTo(NodeId id) {
@@ -81,17 +106,18 @@ void PoseGraph::FinishSubmap(SubmapId id, ProbabilityGrid grid, int step) {
   submaps_[id.index].seen.emplace(grid);
   loop_search_.AddSubmap(id, std::move(grid));
   finished_submaps_.push_back(id);
-  const std::vector<double> ways = travel_graph_.WaysFrom(id);
-  for (int i = 0; i < static_cast<int>(nodes_.size()); ++i) {
-    Consider(id, NodeId{i}, ways[nodes_[i].first_submap.index], step);
-  }
+  finished_places_.Add(id.index, CenterOf(id));
+  max_submap_radius_ =
+      std::max(max_submap_radius_, 0.5 * submaps_[id.index].node_box.diagonal().norm());
+  ConsiderNearNodes(id, step);
 }
 
 double PoseGraph::MinLoopScoreOf(SubmapId id, const ProbabilityGrid& grid) const {
-  const Pose2 submap_from_local = submaps_[id.index].local_from_submap.Inverse();
+  const SubmapData& submap = submaps_[id.index];
+  const Pose2 submap_from_local = submap.local_from_submap.Inverse();
   std::vector<PlacedScan> own_nodes;
-  for (const NodeData& node : nodes_) {
-    if (!LiesIn(node, id)) continue;
+  for (int i = 0; i < submap.num_nodes; ++i) {
+    const NodeData& node = nodes_[submap.first_node.index + i];
     own_nodes.push_back({&node.scan->returns, submap_from_local * node.local_from_node});
   }
   return MinLoopScore(own_nodes, grid, options_.constraint_builder);
@@ -344,10 +370,20 @@ GraphSolution PoseGraph::Adopt(GraphSolution solution) {
   global_from_submap_ = solution.global_from_submap;
   global_from_node_ = solution.global_from_node;
   global_from_local_ = global_from_submap_.back() * submaps_.back().local_from_submap.Inverse();
+  IndexPlaces();
   drift_share_ = PredictedDriftShare();
   num_nodes_since_optimization_ = 0;
   num_judged_ = constraints_.size();
   return solution;
+}
+
+void PoseGraph::IndexPlaces() {
+  finished_places_.Clear();
+  for (const SubmapId id : finished_submaps_) finished_places_.Add(id.index, CenterOf(id));
+  node_places_.Clear();
+  for (int i = 0; i < static_cast<int>(nodes_.size()); ++i) {
+    node_places_.Add(i, global_from_node_[i].translation);
+  }
 }
 
 }  // namespace loopscope

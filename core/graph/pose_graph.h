@@ -11,6 +11,7 @@
 #include "core/graph/drift_share.h"
 #include "core/graph/graph_solver.h"
 #include "core/graph/loop_search.h"
+#include "core/graph/place_index.h"
 #include "core/graph/travel_graph.h"
 
 namespace loopscope {
@@ -92,6 +93,13 @@ class PoseGraph {
   DriftShare PredictedDriftShare() const;
   LoopGate GateOf(SubmapId submap, const Pose2& submap_from_node_guess, double way) const;
   LoopDrift DriftOf(const LoopCandidate& candidate) const;
+  void ConsiderNearSubmaps(NodeId node, int step);
+  void ConsiderNearNodes(SubmapId submap, int step);
+  /// [m] Beyond it from the nodes of a submap, no node comes up for a search in it.
+  double LoopReach() const;
+  /// Of the box around its nodes, in the global frame.
+  Eigen::Vector2d CenterOf(SubmapId submap) const;
+  void IndexPlaces();
   /// Sets off a loop search for the pair if it is near enough; `way` [m] from TravelGraph.
   void Consider(SubmapId submap, NodeId node, double way, int step);
   /// The pair as it comes up now; kTooFar unless it is near enough.
@@ -122,6 +130,9 @@ class PoseGraph {
   std::vector<Pose2> global_from_submap_;
   std::vector<Pose2> global_from_node_;
   Pose2 global_from_local_;
+  PlaceIndex node_places_;
+  PlaceIndex finished_places_;      ///< of the centers of finished submaps
+  double max_submap_radius_ = 0.0;  ///< [m] of the circles around their node boxes
   std::vector<Constraint> constraints_;
   std::vector<ConsecutiveNodes> consecutive_nodes_;
   std::size_t num_judged_ = 0;  ///< of constraints_: those of the last optimization

@@ -12,6 +12,7 @@ namespace loopscope {
 
 void TravelGraph::AddSubmap(double way) {
   edges_.emplace_back();
+  last_answer_.reset();
   const int added = static_cast<int>(edges_.size()) - 1;
   if (added > 0) AddEdge(added - 1, added, way);
 }
@@ -24,7 +25,14 @@ void TravelGraph::AddLoop(SubmapId a, SubmapId b) {
   if (!known && a != b) AddEdge(a.index, b.index, 0.0);
 }
 
-std::vector<double> TravelGraph::WaysFrom(SubmapId from) const {
+const std::vector<double>& TravelGraph::WaysFrom(SubmapId from) const {
+  if (!last_answer_ || last_answer_->first != from) {
+    last_answer_.emplace(from, ShortestWays(from));
+  }
+  return last_answer_->second;
+}
+
+std::vector<double> TravelGraph::ShortestWays(SubmapId from) const {
   // Dijkstra's algorithm.
   std::vector<double> ways(edges_.size(), std::numeric_limits<double>::infinity());
   using Open = std::pair<double, int>;
@@ -45,6 +53,7 @@ std::vector<double> TravelGraph::WaysFrom(SubmapId from) const {
 }
 
 void TravelGraph::AddEdge(int a, int b, double way) {
+  last_answer_.reset();
   edges_[a].push_back({b, way});
   edges_[b].push_back({a, way});
 }

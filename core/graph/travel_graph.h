@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/geometry/id.h"
@@ -20,8 +22,9 @@ class TravelGraph {
   /// `a` and `b` were found to be next to each other.
   void AddLoop(SubmapId a, SubmapId b);
 
-  /// The shortest way [m] from `from` to every submap.
-  std::vector<double> WaysFrom(SubmapId from) const;
+  /// The shortest way [m] from `from` to every submap. The last answer is kept, for nodes of one
+  /// submap ask for the same.
+  const std::vector<double>& WaysFrom(SubmapId from) const;
 
  private:
   struct Edge {
@@ -29,8 +32,10 @@ class TravelGraph {
     double way = 0.0;
   };
   void AddEdge(int a, int b, double way);
+  std::vector<double> ShortestWays(SubmapId from) const;
 
   std::vector<std::vector<Edge>> edges_;
+  mutable std::optional<std::pair<SubmapId, std::vector<double>>> last_answer_;
 };
 
 }  // namespace loopscope

@@ -61,6 +61,15 @@ TEST(LoopGate, NeverIsSmallerThanTheWindowWithoutGrowth) {
   EXPECT_EQ(EvaluateLoopGate(Pose2(), kNodeBox, 20.0, options).linear_window, 1.0);
 }
 
+TEST(LoopGate, IsNearUpToItsGreatestDistanceAtMost) {
+  EXPECT_DOUBLE_EQ(MaxGateDistance(Options()), 8.0);
+  EXPECT_TRUE(GateAt(17.99, 0.0, 1e4).is_near);
+  EXPECT_FALSE(GateAt(18.01, 0.0, 1e4).is_near);
+  ConstraintBuilderOptions options = Options();
+  options.max_linear_search_window = 0.5;
+  EXPECT_DOUBLE_EQ(MaxGateDistance(options), 5.0) << "where windows do not grow";
+}
+
 TEST(LoopGate, LetsInWhatIsNearEnoughForTheDriftOfTheWay) {
   EXPECT_TRUE(GateAt(14.99, 0.0, 0.0).is_near);
   EXPECT_FALSE(GateAt(15.01, 0.0, 0.0).is_near);

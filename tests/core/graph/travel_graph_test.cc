@@ -38,11 +38,20 @@ TEST(TravelGraph, TakesALoopAsAShortCutBothWays) {
 TEST(TravelGraph, IsAsBeforeWhenALoopIsAddedAgain) {
   TravelGraph graph = Row({1.0, 2.0, 4.0});
   graph.AddLoop(SubmapId{0}, SubmapId{3});
-  const auto ways = graph.WaysFrom(SubmapId{2});
+  const std::vector<double> ways = graph.WaysFrom(SubmapId{2});
   graph.AddLoop(SubmapId{0}, SubmapId{3});
   graph.AddLoop(SubmapId{3}, SubmapId{0});
   graph.AddLoop(SubmapId{2}, SubmapId{2});
   EXPECT_EQ(graph.WaysFrom(SubmapId{2}), ways);
+}
+
+TEST(TravelGraph, ForgetsItsLastAnswerWhenItGrows) {
+  TravelGraph graph = Row({1.0, 2.0});
+  EXPECT_EQ(graph.WaysFrom(SubmapId{0}), (std::vector<double>{0.0, 1.0, 3.0}));
+  graph.AddSubmap(4.0);
+  EXPECT_EQ(graph.WaysFrom(SubmapId{0}), (std::vector<double>{0.0, 1.0, 3.0, 7.0}));
+  graph.AddLoop(SubmapId{0}, SubmapId{2});
+  EXPECT_EQ(graph.WaysFrom(SubmapId{0}), (std::vector<double>{0.0, 1.0, 0.0, 4.0}));
 }
 
 /// All shortest ways by Floyd and Warshall's algorithm.
