@@ -8,6 +8,7 @@
 namespace loopscope {
 
 double NormalizeAngle(double radians) {
+  if (-M_PI < radians && radians <= M_PI) return radians;     // nearly always; a remainder is slow
   const double folded = std::remainder(radians, 2.0 * M_PI);  // in [-pi, pi]
   return folded == -M_PI ? M_PI : folded;
 }

@@ -15,7 +15,6 @@ namespace loopscope {
 namespace {
 
 // As Ceres has them by default.
-constexpr double kFunctionTolerance = 1e-6;
 constexpr double kFirstRadius = 1e4;
 constexpr double kMaxRadius = 1e16;
 constexpr double kMinRadius = 1e-32;
@@ -30,38 +29,37 @@ struct Term {
   int i = kHeld;  ///< unknowns: submaps from the second on, then nodes
   int j = kHeld;
   Pose2 i_from_j;
-  Eigen::Vector3d weights;  ///< [1/m, 1/m, 1/rad]
-  bool robust = false;      ///< with Huber's loss
-  int coupling = -1;        ///< of the block system, at (j, i); -1 if i is held
+  SpaInformation information;
+  bool robust = false;  ///< with Huber's loss
+  int coupling = -1;    ///< of the block system, at (j, i); -1 if i is held
 };
 
-Eigen::Matrix2d InverseRotation(const Pose2& pose) { return pose.RotationMatrix().transpose(); }
-
-/// Each with its inverse rotation, which is needed more often than it changes.
+/// Each with its rotation as a matrix, which is needed more often than it changes.
 class Poses {
  public:
   Poses(const Pose2& held, std::vector<Pose2> unknowns)
-      : held_(held), held_from_global_(InverseRotation(held)), unknowns_(std::move(unknowns)) {
-    for (const Pose2& pose : unknowns_) from_global_.push_back(InverseRotation(pose));
+      : held_(held), held_rotation_(held.RotationMatrix()), unknowns_(std::move(unknowns)) {
+    rotations_.reserve(unknowns_.size());
+    for (const Pose2& pose : unknowns_) rotations_.push_back(pose.RotationMatrix());
   }
 
   const Pose2& held() const { return held_; }
   const std::vector<Pose2>& unknowns() const { return unknowns_; }
   const Pose2& at(int unknown) const { return unknown == kHeld ? held_ : unknowns_[unknown]; }
-  const Eigen::Matrix2d& from_global(int unknown) const {
-    return unknown == kHeld ? held_from_global_ : from_global_[unknown];
+  const Eigen::Matrix2d& rotation(int unknown) const {
+    return unknown == kHeld ? held_rotation_ : rotations_[unknown];
   }
 
  private:
   Pose2 held_;
-  Eigen::Matrix2d held_from_global_;
+  Eigen::Matrix2d held_rotation_;
   std::vector<Pose2> unknowns_;
-  std::vector<Eigen::Matrix2d> from_global_;
+  std::vector<Eigen::Matrix2d> rotations_;
 };
 
 /// Eq. 4 as a least squares problem, and the quadratic that it is near some poses:
-/// H = J^T W J, g = J^T W e, where e are the weighted errors of eq. 5 and W the weights by which
-/// Huber's loss stands for a square there.
+/// H = J^T W J, g = J^T W e, where e are the errors of eq. 5, and W holds the weights, with those
+/// by which Huber's loss stands for a square there.
 class LeastSquares {
  public:
   LeastSquares(const GraphProblem& graph, double huber_scale)
@@ -77,7 +75,7 @@ class LeastSquares {
   double Cost(const Poses& poses) const {
     double cost = 0.0;
     for (const Term& term : terms_) {
-      const double square = WeightedError(term, poses).squaredNorm();
+      const double square = term.information.SquareOf(ErrorOf(term, poses));
       const bool is_linear = term.robust && square > huber_scale_ * huber_scale_;
       cost += 0.5 * (is_linear ? huber_scale_ * (2.0 * std::sqrt(square) - huber_scale_) : square);
     }
@@ -88,19 +86,17 @@ class LeastSquares {
     system_.SetZero();
     gradient_.setZero();
     for (const Term& term : terms_) {
-      Eigen::Vector3d error = WeightedError(term, poses);
-      SpaDerivatives jacobian =
-          DerivativesOfSpaError(poses.at(term.i), poses.from_global(term.i), poses.at(term.j));
-      const double scale =
-          term.robust ? std::sqrt(HuberWeight(error.squaredNorm(), huber_scale_)) : 1.0;
-      error *= scale;
-      jacobian.by_i = scale * term.weights.asDiagonal() * jacobian.by_i;
-      jacobian.by_j = scale * term.weights.asDiagonal() * jacobian.by_j;
-      AddUnknown(term.i, jacobian.by_i, error);
-      AddUnknown(term.j, jacobian.by_j, error);
-      if (term.coupling >= 0) {
-        system_.coupling(term.coupling).noalias() += jacobian.by_j.transpose() * jacobian.by_i;
+      const Eigen::Vector3d error = ErrorOf(term, poses);
+      SpaInformation information = term.information;
+      if (term.robust) {
+        const double weight = HuberWeight(information.SquareOf(error), huber_scale_);
+        information.translation *= weight;
+        information.rotation *= weight;
       }
+      const SpaQuadratic quadratic(error, poses.at(term.i), poses.at(term.j), information);
+      AddUnknown(term.i, quadratic.ii, quadratic.by_i);
+      AddUnknown(term.j, quadratic.jj, quadratic.by_j);
+      if (term.coupling >= 0) system_.coupling(term.coupling) += quadratic.ji;
     }
     for (int i = 0; i < num_unknowns_; ++i) {
       diagonal_.segment<3>(3 * i) = system_.diagonal(i).diagonal();
@@ -121,8 +117,9 @@ class LeastSquares {
     terms.reserve(graph.constraints.size() + graph.consecutive_nodes.size());
     const auto add = [&](int i, int j, const Pose2& i_from_j, double translation_weight,
                          double rotation_weight, bool robust) {
-      terms.push_back(
-          {i, j, i_from_j, {translation_weight, translation_weight, rotation_weight}, robust, -1});
+      const SpaInformation information{translation_weight * translation_weight,
+                                       rotation_weight * rotation_weight};
+      terms.push_back({i, j, i_from_j, information, robust, -1});
     };
     for (const Constraint& c : graph.constraints) {
       add(unknown(c.submap), unknown(c.node), c.submap_from_node, c.translation_weight,
@@ -155,15 +152,15 @@ class LeastSquares {
     return BlockSystem(num_unknowns_, std::move(couplings));
   }
 
-  static Eigen::Vector3d WeightedError(const Term& term, const Poses& poses) {
-    return term.weights.cwiseProduct(
-        SpaError(term.i_from_j, poses.at(term.i), poses.from_global(term.i), poses.at(term.j)));
+  static Eigen::Vector3d ErrorOf(const Term& term, const Poses& poses) {
+    return GlobalSpaError(term.i_from_j, poses.at(term.i), poses.rotation(term.i),
+                          poses.at(term.j));
   }
 
-  void AddUnknown(int unknown, const Eigen::Matrix3d& jacobian, const Eigen::Vector3d& error) {
+  void AddUnknown(int unknown, const Eigen::Matrix3d& block, const Eigen::Vector3d& gradient) {
     if (unknown == kHeld) return;
-    system_.diagonal(unknown).noalias() += jacobian.transpose() * jacobian;
-    gradient_.segment<3>(3 * unknown).noalias() += jacobian.transpose() * error;
+    system_.diagonal(unknown) += block;
+    gradient_.segment<3>(3 * unknown) += gradient;
   }
 
   int num_submaps_;
@@ -272,7 +269,7 @@ GraphSolution Continued(const GraphSolution& first, GraphSolution next) {
 }
 
 GraphSolution SolveGraph(const GraphProblem& problem, const OptimizationProblemOptions& options,
-                         int max_num_iterations) {
+                         const SolverLimits& limits) {
   assert(!problem.global_from_submap.empty());
   LeastSquares least_squares(problem, options.huber_scale);
   Poses poses = StartOf(problem);
@@ -281,16 +278,16 @@ GraphSolution SolveGraph(const GraphProblem& problem, const OptimizationProblemO
   TrustRegion region;
   least_squares.Linearize(poses);
   int num_iterations = 0;
-  for (bool done = false; !done && num_iterations < max_num_iterations; ++num_iterations) {
+  for (bool done = false; !done && num_iterations < limits.max_num_iterations; ++num_iterations) {
     std::optional<Trial> trial = TryStep(&least_squares, poses, cost, region);
     if (!trial || !(trial->gain > kMinGain)) {
       region.Shrink();
       done = region.IsTooSmall() ||
-             (trial && std::abs(cost - trial->cost) <= kFunctionTolerance * cost);
+             (trial && std::abs(cost - trial->cost) <= limits.function_tolerance * cost);
       continue;
     }
     region.Grow(trial->gain);
-    done = cost - trial->cost <= kFunctionTolerance * cost;
+    done = cost - trial->cost <= limits.function_tolerance * cost;
     cost = trial->cost;
     poses = std::move(trial->poses);
     if (!done) least_squares.Linearize(poses);

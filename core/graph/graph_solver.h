@@ -28,14 +28,20 @@ struct GraphSolution {
   double final_cost = 0.0;
 };
 
+/// When an optimization ends.
+struct SolverLimits {
+  int max_num_iterations = 50;
+  double function_tolerance = 1e-6;  ///< share of the cost that the last iteration may have gained
+};
+
 /// `next`, which began where `first` ended, as one optimization with it.
 GraphSolution Continued(const GraphSolution& first, GraphSolution next);
 
-/// (SPA): minimizes eq. 4 by Levenberg-Marquardt, with Huber loss on INTER_SUBMAP constraints, in
-/// at most `max_num_iterations`; Konolige et al., "Efficient Sparse Pose Adjustment for 2D
-/// Mapping", IROS 2010. One thread: sums keep their order.
+/// (SPA): minimizes eq. 4 by Levenberg-Marquardt, with Huber loss on INTER_SUBMAP constraints;
+/// Konolige et al., "Efficient Sparse Pose Adjustment for 2D Mapping", IROS 2010. One thread: sums
+/// keep their order.
 GraphSolution SolveGraph(const GraphProblem& problem, const OptimizationProblemOptions& options,
-                         int max_num_iterations);
+                         const SolverLimits& limits);
 
 /// Covariance [m, m, rad] of the pose of a node in the global frame, at the poses of `problem`.
 /// Nothing if the problem does not determine the pose.

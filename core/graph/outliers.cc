@@ -11,9 +11,6 @@
 namespace loopscope {
 namespace {
 
-/// Loops near the bound could come and go for ever.
-constexpr int kMaxRounds = 10;
-
 bool HaveSamePairs(const std::vector<Constraint>& a, const std::vector<Constraint>& b) {
   const auto is_same = [](const Constraint& x, const Constraint& y) {
     return x.submap == y.submap && x.node == y.node && x.tag == y.tag;
@@ -51,17 +48,17 @@ GraphProblem WithoutOutliers(const GraphProblem& problem, const OutlierOptions& 
 
 GraphSolution SolveGraphWithoutOutliers(const GraphProblem& problem, std::size_t num_judged,
                                         const OptimizationProblemOptions& options,
-                                        int max_num_iterations) {
+                                        const SolverLimits& limits, int max_num_rounds) {
   const GraphProblem first = WithoutKnownOutliers(problem, num_judged, options.outliers);
-  GraphSolution solution = SolveGraph(first, options, max_num_iterations);
+  GraphSolution solution = SolveGraph(first, options, limits);
   std::vector<Constraint> solved = first.constraints;
   GraphProblem all = problem;
-  for (int round = 0; round < kMaxRounds; ++round) {
+  for (int round = 0; round < max_num_rounds; ++round) {
     all.global_from_submap = solution.global_from_submap;
     all.global_from_node = solution.global_from_node;
     GraphProblem rest = WithoutOutliers(all, options.outliers);
     if (HaveSamePairs(rest.constraints, solved)) break;
-    solution = Continued(solution, SolveGraph(rest, options, max_num_iterations));
+    solution = Continued(solution, SolveGraph(rest, options, limits));
     solved = std::move(rest.constraints);
   }
   return solution;

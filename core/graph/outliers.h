@@ -14,14 +14,15 @@ bool IsOutlier(const Eigen::Vector3d& residual, const OutlierOptions& options);
 GraphProblem WithoutOutliers(const GraphProblem& problem, const OutlierOptions& options);
 
 /// (SPA) without the loops that contradict the others: those that eq. 4 leaves with too large a
-/// residual are taken out and the others solved again, until none goes or comes back. A local
-/// minimum of truncated losses; Yang et al., "Graduated Non-Convexity for Robust Spatial
-/// Perception", RA-L 2020, who start from squares, where this starts from Huber's loss.
-/// Of the first `num_judged` constraints, loops that are outliers at the poses of the problem are
-/// left out from the start, and return if the others agree with them after all.
-/// `initial_cost` is that of the loops it starts with, `final_cost` that of those that are left.
+/// residual are taken out and the others solved again, until none goes or comes back, or
+/// `max_num_rounds` times. A local minimum of truncated losses; Yang et al., "Graduated
+/// Non-Convexity for Robust Spatial Perception", RA-L 2020, who start from squares, where this
+/// starts from Huber's loss. Of the first `num_judged` constraints, loops that are outliers at the
+/// poses of the problem are left out from the start, and return if the others agree with them after
+/// all. `initial_cost` is that of the loops it starts with, `final_cost` that of those that are
+/// left.
 GraphSolution SolveGraphWithoutOutliers(const GraphProblem& problem, std::size_t num_judged,
                                         const OptimizationProblemOptions& options,
-                                        int max_num_iterations);
+                                        const SolverLimits& limits, int max_num_rounds);
 
 }  // namespace loopscope

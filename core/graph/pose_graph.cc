@@ -13,9 +13,8 @@
 namespace loopscope {
 namespace {
 
-/// By how much the loops must have grown before those that were left out are tried again with all
-/// others: often enough to correct a wrong choice, so seldom that the cost of a loop stays bounded.
-constexpr std::size_t kJudgeAllGrowth = 2;
+/// Loops near the bound could come and go for ever.
+constexpr int kMaxNumFinalRounds = 10;
 
 }  // namespace
 
@@ -66,9 +65,7 @@ void PoseGraph::ConsiderNearNodes(SubmapId submap, int step) {
   }
 }
 
-double PoseGraph::LoopReach() const {
-  return MaxGateDistance(options_.constraint_builder);
-}
+double PoseGraph::LoopReach() const { return MaxGateDistance(options_.constraint_builder); }
 
 Eigen::Vector2d PoseGraph::CenterOf(SubmapId submap) const {
   return global_from_submap_[submap.index] * submaps_[submap.index].node_box.center();
@@ -347,17 +344,25 @@ LoopDrift PoseGraph::DriftOf(const LoopCandidate& candidate) const {
           node_ways_[candidate.node.index], node_ways_[submap.first_node.index]};
 }
 
-GraphSolution PoseGraph::Optimize(int max_num_iterations) {
-  const bool judges_all = loop_drifts_.size() >= kJudgeAllGrowth * num_loops_when_all_were_judged_;
-  if (judges_all) return OptimizeAnew(max_num_iterations);
-  return Adopt(SolveGraphWithoutOutliers(Problem(), num_judged_, options_.optimization_problem,
-                                         max_num_iterations));
+GraphSolution PoseGraph::Optimize() { return Solve(LoopsHaveDoubled(), false); }
+
+GraphSolution PoseGraph::OptimizeFully() { return Solve(LoopsHaveDoubled(), true); }
+
+GraphSolution PoseGraph::OptimizeAnew() { return Solve(true, true); }
+
+bool PoseGraph::LoopsHaveDoubled() const {
+  return loop_drifts_.size() >= 2 * num_loops_when_all_were_judged_;
 }
 
-GraphSolution PoseGraph::OptimizeAnew(int max_num_iterations) {
-  num_loops_when_all_were_judged_ = loop_drifts_.size();
+GraphSolution PoseGraph::Solve(bool judges_all, bool fully) {
+  if (judges_all) num_loops_when_all_were_judged_ = loop_drifts_.size();
+  const OptimizationProblemOptions& options = options_.optimization_problem;
+  const SolverLimits limits =
+      fully ? SolverLimits{options_.max_num_final_iterations}
+            : SolverLimits{options.max_num_iterations, options.function_tolerance};
   return Adopt(
-      SolveGraphWithoutOutliers(Problem(), 0, options_.optimization_problem, max_num_iterations));
+      SolveGraphWithoutOutliers(Problem(), judges_all ? 0 : num_judged_, options, limits,
+                                fully ? kMaxNumFinalRounds : options.outliers.max_num_rounds));
 }
 
 GraphProblem PoseGraph::Problem() const {

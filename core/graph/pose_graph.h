@@ -47,11 +47,15 @@ class PoseGraph {
   std::vector<LoopCandidate> CollectLoops(int step);
 
   /// Optimizes all poses, which become the estimate, without loops that the others contradict, see
-  /// OutlierOptions. Those that were left out before are tried again only where they agree.
-  GraphSolution Optimize(int max_num_iterations);
+  /// OutlierOptions. Those that were left out before are tried again only where they agree, until
+  /// loops have doubled. No longer than on the way: the next optimization goes on.
+  GraphSolution Optimize();
+
+  /// Likewise, to the end.
+  GraphSolution OptimizeFully();
 
   /// Likewise, for good: all loops are tried.
-  GraphSolution OptimizeAnew(int max_num_iterations);
+  GraphSolution OptimizeAnew();
 
   /// Of their windows that searches take since the last optimization.
   const DriftShare& drift_share() const { return drift_share_; }
@@ -74,6 +78,10 @@ class PoseGraph {
   /// Judges the candidates that were searched, and takes those accepted into the graph.
   void TakeIn(std::vector<LoopCandidate>* candidates, int step);
   GraphProblem Problem() const;
+  /// Since all were judged last: often enough to correct a wrong choice, so seldom that the cost of
+  /// a loop stays bounded.
+  bool LoopsHaveDoubled() const;
+  GraphSolution Solve(bool judges_all, bool fully);
   /// Makes the solution, rounded as it is recorded, the state.
   GraphSolution Adopt(GraphSolution solution);
   /// Searches neighbours of the loops that stand alone, where those have them.

@@ -65,6 +65,9 @@ struct ConstraintBuilderOptions {
 struct OutlierOptions {
   double max_distance = 0.0;                 ///< [m]; 0: off
   double max_angle = DegreesToRadians(3.0);  ///< [rad]
+  /// How often an optimization on the way leaves out loops and solves again; the next one goes on.
+  /// Until nothing changes, it would take the longer the larger the map is.
+  int max_num_rounds = 10;
 };
 
 /// POSE_GRAPH.optimization_problem. Weights are factors of a residual in metres or radians, so
@@ -76,6 +79,7 @@ struct OptimizationProblemOptions {
   double odometry_translation_weight = 1e5;
   double odometry_rotation_weight = 1e5;
   int max_num_iterations = 50;
+  double function_tolerance = 1e-6;  ///< of SolverLimits, on the way; the final one has 1e-6
   OutlierOptions outliers;
 };
 

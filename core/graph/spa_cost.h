@@ -10,19 +10,37 @@ namespace loopscope {
 ///   e = ( t_ij - R_i^-1 (t_j - t_i), normalized(theta_ij - (theta_j - theta_i)) ).
 Eigen::Vector3d SpaError(const Pose2& i_from_j, const Pose2& global_from_i,
                          const Pose2& global_from_j);
-/// The same, given R_i^-1, for many terms with the same i.
-Eigen::Vector3d SpaError(const Pose2& i_from_j, const Pose2& global_from_i,
-                         const Eigen::Matrix2d& i_from_global, const Pose2& global_from_j);
 
-/// How the error changes with (x, y, theta) of either pose.
-struct SpaDerivatives {
-  Eigen::Matrix3d by_i;
-  Eigen::Matrix3d by_j;
+/// The same, turned by R_i into the global frame, which leaves its length as it is:
+///   ( R_i t_ij - (t_j - t_i), normalized(theta_ij - (theta_j - theta_i)) ).
+/// R_i, `global_from_i_rotation`, is given for many terms with the same i.
+Eigen::Vector3d GlobalSpaError(const Pose2& i_from_j, const Pose2& global_from_i,
+                               const Eigen::Matrix2d& global_from_i_rotation,
+                               const Pose2& global_from_j);
+
+/// Squares of the weights of an error, equal in x and y: what makes the frame not matter.
+struct SpaInformation {
+  double translation = 0.0;  ///< [1/m^2]
+  double rotation = 0.0;     ///< [1/rad^2]
+
+  /// The weighted square of an error in either frame.
+  double SquareOf(const Eigen::Vector3d& error) const {
+    return translation * error.head<2>().squaredNorm() + rotation * error.z() * error.z();
+  }
 };
-/// `i_from_global` is R_i^-1.
-SpaDerivatives DerivativesOfSpaError(const Pose2& global_from_i,
-                                     const Eigen::Matrix2d& i_from_global,
-                                     const Pose2& global_from_j);
+
+/// What a term of eq. 4 adds to H = J^T W J and g = J^T W e, where J are the derivatives of its
+/// error by (x, y, theta) of i and of j. Rotations drop out, for W is the same in x and y.
+struct SpaQuadratic {
+  SpaQuadratic(const Eigen::Vector3d& global_error, const Pose2& global_from_i,
+               const Pose2& global_from_j, const SpaInformation& information);
+
+  Eigen::Matrix3d ii;
+  Eigen::Matrix3d ji;
+  Eigen::Matrix3d jj;
+  Eigen::Vector3d by_i;  ///< of g
+  Eigen::Vector3d by_j;
+};
 
 /// The weight by which Huber's loss of `scale` stands for a square at an error whose square is
 /// `square`; both weighted, without unit.

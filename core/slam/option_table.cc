@@ -276,10 +276,14 @@ Rows OptimizationProblemRows(OptimizationProblemOptions* o) {
        "How stiff odometry is between consecutive nodes in heading."},
       {"ceres_solver_options.max_num_iterations", &o->max_num_iterations, 0, kMaxCount, "",
        "An optimization on the way stops after so many iterations."},
+      {"ceres_solver_options.function_tolerance", &o->function_tolerance, 0, 1, "",
+       "And when one gains no more than this share of the cost; the final one at 1e-6."},
       {"outliers.max_distance", &o->outliers.max_distance, 0, kMaxLength, "m",
-       "Loops with a larger residual are left out of the final optimization; 0: none."},
+       "Loops with a larger residual are left out; 0: none."},
       {"outliers.max_angle", &o->outliers.max_angle, 0, kPi, "rad",
        "Likewise, for the residual in heading."},
+      {"outliers.max_num_rounds", &o->outliers.max_num_rounds, 0, kMaxCount, "",
+       "How often an optimization on the way leaves out loops and solves again."},
   };
 }
 

@@ -85,22 +85,19 @@ void Slam::FinishSubmap(int scan, ActiveSubmap finished, SlamUpdate* update) {
 }
 
 Optimization Slam::Optimize(int scan) {
-  GraphSolution solution =
-      pose_graph_.Optimize(options_.pose_graph.optimization_problem.max_num_iterations);
+  GraphSolution solution = pose_graph_.Optimize();
   return ToOptimization(scan, false, std::move(solution), pose_graph_.drift_share());
 }
 
 Optimization Slam::Finish(int scan, SlamUpdate* update) {
-  const int max_num_iterations = options_.pose_graph.max_num_final_iterations;
-  const auto optimize = [&] { return pose_graph_.OptimizeAnew(max_num_iterations); };
   if (options_.pose_graph.constraint_builder.last_look.num_nodes == 0) {
-    return ToOptimization(scan, true, optimize(), DriftShare{});
+    return ToOptimization(scan, true, pose_graph_.OptimizeAnew(), DriftShare{});
   }
-  const GraphSolution first = pose_graph_.Optimize(max_num_iterations);
+  const GraphSolution first = pose_graph_.OptimizeFully();
   for (const LoopCandidate& candidate : pose_graph_.LookLast(scan)) {
     update->candidates.push_back(candidate);
   }
-  return ToOptimization(scan, true, Continued(first, optimize()), DriftShare{});
+  return ToOptimization(scan, true, Continued(first, pose_graph_.OptimizeAnew()), DriftShare{});
 }
 
 }  // namespace loopscope

@@ -139,7 +139,7 @@ constexpr int kMaxNumIterations = 100;
 
 void BM_SolveGraph(benchmark::State& state) {
   double cost = 0.0;
-  for (auto _ : state) cost = SolveGraph(LargeGraph(), {}, kMaxNumIterations).final_cost;
+  for (auto _ : state) cost = SolveGraph(LargeGraph(), {}, {kMaxNumIterations}).final_cost;
   state.counters["cost"] = cost;
 }
 BENCHMARK(BM_SolveGraph)->Unit(benchmark::kMillisecond);

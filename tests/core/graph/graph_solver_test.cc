@@ -95,7 +95,7 @@ void ExpectTruth(const GraphSolution& solution, const TrueGraph& graph, double m
 
 TEST(SolveGraph, FindsTheTruthFromWrongPoses) {
   const TrueGraph graph = MakeTrueGraph();
-  const GraphSolution solution = SolveGraph(MakeProblem(graph), {}, 50);
+  const GraphSolution solution = SolveGraph(MakeProblem(graph), {}, {50});
   ExpectTruth(solution, graph, 1e-6, 1e-6);
   EXPECT_GT(solution.initial_cost, 1.0);
   EXPECT_LT(solution.final_cost, 1e-8);
@@ -106,7 +106,7 @@ TEST(SolveGraph, LeavesSubmap0WhereItIs) {
   GraphProblem problem = MakeProblem(MakeTrueGraph());
   const Pose2 moved = Pose2(-4.0, 3.0, 2.0) * problem.global_from_submap[0];
   problem.global_from_submap[0] = moved;
-  EXPECT_EQ(SolveGraph(problem, {}, 50).global_from_submap[0], moved);
+  EXPECT_EQ(SolveGraph(problem, {}, {50}).global_from_submap[0], moved);
 }
 
 TEST(SolveGraph, MovesAllWithSubmap0) {
@@ -116,19 +116,25 @@ TEST(SolveGraph, MovesAllWithSubmap0) {
   problem.global_from_submap[0] = motion * problem.global_from_submap[0];
   for (Pose2& pose : graph.global_from_submap) pose = motion * pose;
   for (Pose2& pose : graph.global_from_node) pose = motion * pose;
-  ExpectTruth(SolveGraph(problem, {}, 50), graph, 1e-6, 1e-6);
+  ExpectTruth(SolveGraph(problem, {}, {50}), graph, 1e-6, 1e-6);
 }
 
 TEST(SolveGraph, StopsAfterTheIterationsAllowed) {
   const GraphProblem problem = MakeProblem(MakeTrueGraph());
-  EXPECT_EQ(SolveGraph(problem, {}, 0).global_from_node[5], problem.global_from_node[5]);
-  EXPECT_GT(SolveGraph(problem, {}, 1).final_cost, SolveGraph(problem, {}, 50).final_cost);
+  EXPECT_EQ(SolveGraph(problem, {}, {0}).global_from_node[5], problem.global_from_node[5]);
+  EXPECT_GT(SolveGraph(problem, {}, {1}).final_cost, SolveGraph(problem, {}, {50}).final_cost);
+}
+
+TEST(SolveGraph, StopsWhenAnIterationGainsTooLittle) {
+  const GraphProblem problem = MakeProblem(MakeTrueGraph());
+  EXPECT_EQ(SolveGraph(problem, {}, {50, 1.0}).num_iterations, 1);
+  EXPECT_GT(SolveGraph(problem, {}, {50, 0.5}).num_iterations, 1);
 }
 
 TEST(SolveGraph, GivesTheSameBitsAgain) {
   const GraphProblem problem = MakeProblem(MakeTrueGraph());
-  const GraphSolution first = SolveGraph(problem, {}, 50);
-  const GraphSolution second = SolveGraph(problem, {}, 50);
+  const GraphSolution first = SolveGraph(problem, {}, {50});
+  const GraphSolution second = SolveGraph(problem, {}, {50});
   EXPECT_EQ(first.global_from_submap, second.global_from_submap);
   EXPECT_EQ(first.global_from_node, second.global_from_node);
 }
@@ -146,7 +152,7 @@ TEST(SolveGraph, HardlyYieldsToAFalseLoop) {
   problem.constraints.push_back(Outlier(graph, Constraint::Tag::kInterSubmap));
   OptimizationProblemOptions options;
   options.huber_scale = 1.0;
-  ExpectTruth(SolveGraph(problem, options, 200), graph, 0.01, 0.01);
+  ExpectTruth(SolveGraph(problem, options, {200}), graph, 0.01, 0.01);
 }
 
 TEST(SolveGraph, YieldsToAFalseConstraintThatIsNoLoop) {
@@ -155,7 +161,7 @@ TEST(SolveGraph, YieldsToAFalseConstraintThatIsNoLoop) {
   problem.constraints.push_back(Outlier(graph, Constraint::Tag::kIntraSubmap));
   OptimizationProblemOptions options;
   options.huber_scale = 1.0;
-  EXPECT_THAT(SolveGraph(problem, options, 200).global_from_node[10],
+  EXPECT_THAT(SolveGraph(problem, options, {200}).global_from_node[10],
               Not(PoseNear(graph.global_from_node[10], 0.2, 0.05)));
 }
 
@@ -181,7 +187,7 @@ TEST(SolveGraph, ReachesTheCostThatCeresReaches) {
     for (const bool with_consecutive : {true, false}) {
       SCOPED_TRACE(seed);
       const GraphProblem problem = MakeNoisyProblem(seed, with_consecutive);
-      const GraphSolution ours = SolveGraph(problem, options, 200);
+      const GraphSolution ours = SolveGraph(problem, options, {200});
       const GraphSolution theirs = SolveGraphWithCeres(problem, options, 200);
       EXPECT_NEAR(ours.initial_cost, theirs.initial_cost, 1e-9 * theirs.initial_cost);
       EXPECT_NEAR(ours.final_cost, theirs.final_cost, 1e-5 * theirs.final_cost);
@@ -240,7 +246,7 @@ Eigen::MatrixXd DenseCovariance(const GraphProblem& problem) {
 /// The problem at its solution, where loops are within the part of Huber's loss that is a square.
 GraphProblem SolvedProblem() {
   GraphProblem problem = MakeProblem(MakeTrueGraph());
-  const GraphSolution solution = SolveGraph(problem, {}, 100);
+  const GraphSolution solution = SolveGraph(problem, {}, {100});
   problem.global_from_submap = solution.global_from_submap;
   problem.global_from_node = solution.global_from_node;
   return problem;

@@ -53,19 +53,19 @@ TEST(IsOutlier, IsWhatIsTooFarOrTurnedTooMuch) {
 }
 
 TEST(SolveGraphWithoutOutliers, IsTheSolutionIfThereAreNone) {
-  const GraphSolution with = SolveGraph(DriftingWay(), Options(), 50);
-  const GraphSolution without = SolveGraphWithoutOutliers(DriftingWay(), 0, Options(), 50);
+  const GraphSolution with = SolveGraph(DriftingWay(), Options(), {50});
+  const GraphSolution without = SolveGraphWithoutOutliers(DriftingWay(), 0, Options(), {50}, 10);
   EXPECT_EQ(with.global_from_node, without.global_from_node);
   EXPECT_EQ(with.num_iterations, without.num_iterations);
 }
 
 TEST(SolveGraphWithoutOutliers, ForgetsFalseLoops) {
-  const GraphSolution expected = SolveGraph(DriftingWay(), Options(), 50);
+  const GraphSolution expected = SolveGraph(DriftingWay(), Options(), {50});
   for (const Pose2& error : {Pose2(0.0, 1.5, 0.0), Pose2(0.0, 0.0, 0.5)}) {
     GraphProblem problem = DriftingWay();
     problem.constraints.push_back(FalseLoop(10, error, Constraint::Tag::kInterSubmap));
-    const GraphSolution solution = SolveGraphWithoutOutliers(problem, 0, Options(), 50);
-    EXPECT_THAT(SolveGraph(problem, Options(), 50).global_from_node[10],
+    const GraphSolution solution = SolveGraphWithoutOutliers(problem, 0, Options(), {50}, 10);
+    EXPECT_THAT(SolveGraph(problem, Options(), {50}).global_from_node[10],
                 ::testing::Not(PoseNear(expected.global_from_node[10], 0.01, 0.01)));
     EXPECT_THAT(solution.global_from_node[10], PoseNear(expected.global_from_node[10], 1e-3, 1e-3));
     EXPECT_NEAR(solution.final_cost, expected.final_cost, 0.01 * expected.final_cost);
@@ -84,10 +84,10 @@ GraphProblem BentByAFalseLoop() {
 TEST(SolveGraphWithoutOutliers, TakesBackALoopThatTheOthersAgreeWith) {
   GraphProblem problem = DriftingWay();
   problem.global_from_node[11] = TruePose(11) * Pose2(0.0, 1.5, 0.0);
-  const GraphSolution expected = SolveGraph(DriftingWay(), Options(), 50);
+  const GraphSolution expected = SolveGraph(DriftingWay(), Options(), {50});
   const std::size_t all = problem.constraints.size();
   ASSERT_LT(WithoutOutliers(problem, Options().outliers).constraints.size(), all);
-  const GraphSolution solution = SolveGraphWithoutOutliers(problem, all, Options(), 50);
+  const GraphSolution solution = SolveGraphWithoutOutliers(problem, all, Options(), {50}, 10);
   EXPECT_THAT(solution.global_from_node[11], PoseNear(expected.global_from_node[11], 1e-3, 1e-3));
   EXPECT_NEAR(solution.final_cost, expected.final_cost, 1e-3 * expected.final_cost);
 }
@@ -95,13 +95,13 @@ TEST(SolveGraphWithoutOutliers, TakesBackALoopThatTheOthersAgreeWith) {
 TEST(SolveGraphWithoutOutliers, DoesNotTryThoseAgainThatWereLeftOut) {
   const GraphProblem known = [] {
     GraphProblem problem = BentByAFalseLoop();
-    const GraphSolution before = SolveGraph(DriftingWay(), Options(), 50);
+    const GraphSolution before = SolveGraph(DriftingWay(), Options(), {50});
     problem.global_from_node = before.global_from_node;
     return problem;
   }();
   const std::size_t all = known.constraints.size();
-  const int tried_again = SolveGraphWithoutOutliers(known, 0, Options(), 50).num_iterations;
-  const int left_out = SolveGraphWithoutOutliers(known, all, Options(), 50).num_iterations;
+  const int tried_again = SolveGraphWithoutOutliers(known, 0, Options(), {50}, 10).num_iterations;
+  const int left_out = SolveGraphWithoutOutliers(known, all, Options(), {50}, 10).num_iterations;
   EXPECT_LT(left_out, tried_again);
   EXPECT_LE(left_out, 2);
 }
@@ -109,9 +109,21 @@ TEST(SolveGraphWithoutOutliers, DoesNotTryThoseAgainThatWereLeftOut) {
 TEST(SolveGraphWithoutOutliers, JudgesNewLoopsByTheSolutionAndNotByThePosesBefore) {
   const GraphProblem problem = BentByAFalseLoop();
   const std::size_t all = problem.constraints.size();
-  const GraphSolution expected = SolveGraph(DriftingWay(), Options(), 50);
-  const GraphSolution solution = SolveGraphWithoutOutliers(problem, all - 1, Options(), 50);
+  const GraphSolution expected = SolveGraph(DriftingWay(), Options(), {50});
+  const GraphSolution solution = SolveGraphWithoutOutliers(problem, all - 1, Options(), {50}, 10);
   EXPECT_THAT(solution.global_from_node[11], PoseNear(expected.global_from_node[11], 1e-3, 1e-3));
+}
+
+TEST(SolveGraphWithoutOutliers, SolvesNoOftenerThanAllowed) {
+  GraphProblem problem = DriftingWay();
+  problem.constraints.push_back(FalseLoop(10, Pose2(0.0, 1.5, 0.0), Constraint::Tag::kInterSubmap));
+  const SolverLimits limits{50};
+  const GraphSolution bent = SolveGraph(problem, Options(), limits);
+  const GraphSolution unjudged = SolveGraphWithoutOutliers(problem, 0, Options(), limits, 0);
+  const GraphSolution judged = SolveGraphWithoutOutliers(problem, 0, Options(), limits, 1);
+  EXPECT_EQ(unjudged.global_from_node, bent.global_from_node);
+  EXPECT_GT(judged.num_iterations, bent.num_iterations);
+  EXPECT_LT(judged.final_cost, bent.final_cost);
 }
 
 TEST(WithoutOutliers, GoesByThePosesOfTheProblem) {

@@ -264,7 +264,7 @@ std::vector<double> WindowsAfterTrueLoops(const PoseGraphOptions& options) {
   const auto come = [&] { run.AddNode(kFirst, SimulatedRoom().ScanAt(kFirst), 1); };
   for (int i = 0; i < 40; ++i) come();
   run.graph().CollectLoops(kStep);
-  run.graph().Optimize(50);
+  run.graph().Optimize();
   for (int i = 0; i < 8; ++i) come();
   std::vector<double> windows;
   for (const LoopCandidate& loop : run.graph().CollectLoops(kStep)) {
@@ -300,7 +300,7 @@ TEST(PoseGraph, PullsTheMapTogetherWhereALoopIsClosed) {
   ReturnToARoom run(Options());
   run.ComeTo(kFirst);
   run.graph().CollectLoops(kStep);
-  const GraphSolution solution = run.graph().Optimize(50);
+  const GraphSolution solution = run.graph().Optimize();
   EXPECT_EQ(solution.global_from_submap[0], Pose2());
   EXPECT_THAT(solution.global_from_node[1], PoseNear(kFirst, 0.02, 0.01));
   EXPECT_THAT(solution.global_from_submap[1], PoseNear(Pose2(2.0, 0.8, 0.0), 0.05, 0.02));
@@ -316,11 +316,11 @@ TEST(PoseGraph, LeavesOutOnTheWayALoopThatLocalSlamAndOtherLoopsContradict) {
     ReturnToARoom run(options);
     for (int i = 0; i < 6; ++i) run.ComeTo(kFirst);
     run.graph().CollectLoops(kStep);
-    run.graph().Optimize(50);
+    run.graph().Optimize();
     run.AddNode(kDrift * kSecond, SimulatedRoom().ScanAt(kSecond * Pose2(0.0, 0.5, 0.0)), 1);
     for (int i = 0; i < 3; ++i) run.ComeTo(kSecond);
     run.graph().CollectLoops(kStep);
-    return run.graph().Optimize(50).global_from_node[7];
+    return run.graph().Optimize().global_from_node[7];
   };
   EXPECT_THAT(place_of_false_loop(0.2), PoseNear(kSecond, 0.02, 0.01));
   EXPECT_THAT(place_of_false_loop(0.0), ::testing::Not(PoseNear(kSecond, 0.05, 0.02))) << "off";
@@ -330,7 +330,7 @@ TEST(PoseGraph, PlacesWhatComesLaterByTheNewestSubmap) {
   ReturnToARoom run(Options());
   run.ComeTo(kFirst);
   run.graph().CollectLoops(kStep);
-  run.graph().Optimize(50);
+  run.graph().Optimize();
   run.ComeTo(kSecond);
   const LoopCandidate candidate = run.graph().CollectLoops(kStep).at(0);
   EXPECT_THAT(candidate.submap_from_node_guess, PoseNear(kSecond, 0.05, 0.02));
@@ -342,7 +342,7 @@ TEST(PoseGraph, StaysAsLocalSlamHasItWithoutLoops) {
   ReturnToARoom run(options);
   run.ComeTo(kFirst);
   run.graph().CollectLoops(kStep);
-  EXPECT_THAT(run.graph().Optimize(50).global_from_node[1], PoseNear(kDrift * kFirst, 1e-6, 1e-6));
+  EXPECT_THAT(run.graph().Optimize().global_from_node[1], PoseNear(kDrift * kFirst, 1e-6, 1e-6));
 }
 
 TEST(PoseGraph, IsDueForOptimizationEveryNNodes) {
@@ -353,7 +353,7 @@ TEST(PoseGraph, IsDueForOptimizationEveryNNodes) {
   run.ComeTo(kFirst);
   EXPECT_TRUE(run.graph().OptimizationIsDue());
   run.graph().CollectLoops(kStep);
-  run.graph().Optimize(10);
+  run.graph().Optimize();
   EXPECT_FALSE(run.graph().OptimizationIsDue());
 }
 

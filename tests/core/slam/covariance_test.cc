@@ -16,7 +16,7 @@ MapState LastState(const Recording& recording) {
 TEST(GraphOf, IsAtItsMinimumAfterTheFinalOptimization) {
   const Recording recording = MapLog(SimulateSmallLoop().log, SmallLoopOptions());
   const OptimizationProblemOptions& options = recording.options().pose_graph.optimization_problem;
-  const GraphSolution again = SolveGraph(GraphOf(recording, LastState(recording)), options, 50);
+  const GraphSolution again = SolveGraph(GraphOf(recording, LastState(recording)), options, {50});
   const double final_cost = recording.optimizations().back().final_cost;
   EXPECT_NEAR(again.initial_cost, final_cost, 1e-6 * final_cost);
   EXPECT_NEAR(again.final_cost, final_cost, 1e-3 * final_cost);

@@ -279,7 +279,7 @@ TEST(ConstraintsOf, AreTheOnesThatTheLastOptimizationHeld) {
          options.local_slam_pose_translation_weight, options.local_slam_pose_rotation_weight});
   }
   // The poses were rounded.
-  EXPECT_NEAR(SolveGraph(problem, options, 0).initial_cost,
+  EXPECT_NEAR(SolveGraph(problem, options, {0}).initial_cost,
               recording.optimizations().back().final_cost,
               1e-6 * recording.optimizations().back().final_cost);
 }
