@@ -60,6 +60,7 @@ Options LoopscopePreset() {
   graph.optimization_problem.local_slam_pose_rotation_weight = 1e4;
   graph.optimization_problem.odometry_translation_weight = 0.0;
   graph.optimization_problem.odometry_rotation_weight = 0.0;
+  graph.optimization_problem.max_num_iterations = 10;
   graph.optimization_problem.function_tolerance = 1e-5;
   graph.optimization_problem.outliers.max_distance = 0.3;
   graph.optimization_problem.outliers.max_num_rounds = 1;
