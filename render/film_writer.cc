@@ -8,11 +8,10 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <opencv2/imgproc.hpp>
-#include <opencv2/videoio.hpp>
 
 #include "core/io/file_error.h"
 #include "core/io/replace_file.h"
+#include "render/video/video_encoder.h"
 
 namespace loopscope {
 namespace {
@@ -60,8 +59,11 @@ class FrameFolder : public FilmWriter {
 /// The film is written beside its place.
 class VideoFile : public FilmWriter {
  public:
-  VideoFile(const std::string& path, int codec, double frames_per_second)
-      : path_(path), codec_(codec), frames_per_second_(frames_per_second) {
+  VideoFile(const std::string& path, VideoCodec codec, double frames_per_second)
+      : path_(path),
+        codec_(codec),
+        frames_per_second_(frames_per_second),
+        video_(LoadVideoEncoder()) {
     const fs::path name(path);
     beside_ = (name.parent_path() / name.stem()).string() + ".part" + name.extension().string();
     if (fs::is_directory(name)) throw FileError(path, "cannot be written: Is a directory");
@@ -74,25 +76,20 @@ class VideoFile : public FilmWriter {
   }
 
   ~VideoFile() override {
-    video_.release();
+    video_->Close();
     std::error_code ignored;
     fs::remove(beside_, ignored);
   }
 
   void Add(const Picture& picture) override {
     if (num_frames_ == 0) Open(picture);
-    const cv::Mat rgb(picture.height, picture.width, CV_8UC3,
-                      const_cast<std::uint8_t*>(picture.rgb.data()));
-    cv::Mat bgr;
-    cv::cvtColor(rgb, bgr, cv::COLOR_RGB2BGR);
-    video_.write(bgr);
+    video_->Add(picture);
     ++num_frames_;
   }
 
   void Finish() override {
-    video_.release();
-    const int num_written =
-        static_cast<int>(cv::VideoCapture(beside_, cv::CAP_FFMPEG).get(cv::CAP_PROP_FRAME_COUNT));
+    video_->Close();
+    const int num_written = video_->NumFramesOf(beside_);
     if (num_written != num_frames_) {
       throw FileError(path_, fmt::format("cannot be written: of {} frames {} arrived", num_frames_,
                                          num_written));
@@ -104,8 +101,7 @@ class VideoFile : public FilmWriter {
 
  private:
   void Open(const Picture& picture) {
-    if (!video_.open(beside_, cv::CAP_FFMPEG, codec_, frames_per_second_,
-                     {picture.width, picture.height})) {
+    if (!video_->Open(beside_, codec_, frames_per_second_, picture.width, picture.height)) {
       throw FileError(path_, fmt::format("the video library cannot write {}x{} at {} frames/s",
                                          picture.width, picture.height, frames_per_second_));
     }
@@ -113,9 +109,9 @@ class VideoFile : public FilmWriter {
 
   std::string path_;
   std::string beside_;
-  int codec_;
+  VideoCodec codec_;
   double frames_per_second_;
-  cv::VideoWriter video_;
+  std::unique_ptr<VideoEncoder> video_;
   int num_frames_ = 0;
 };
 
@@ -126,11 +122,9 @@ void RequireFilmPath(const std::string& path) { FormatOf(path); }
 std::unique_ptr<FilmWriter> MakeFilmWriter(const std::string& path, double frames_per_second) {
   switch (FormatOf(path)) {
     case FilmFormat::kMp4:
-      return std::make_unique<VideoFile>(path, cv::VideoWriter::fourcc('m', 'p', '4', 'v'),
-                                         frames_per_second);
+      return std::make_unique<VideoFile>(path, VideoCodec::kMpeg4, frames_per_second);
     case FilmFormat::kAvi:
-      return std::make_unique<VideoFile>(path, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'),
-                                         frames_per_second);
+      return std::make_unique<VideoFile>(path, VideoCodec::kMotionJpeg, frames_per_second);
     case FilmFormat::kFolder:
       break;
   }

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include <dlfcn.h>
+#include <stdexcept>
+#include <string>
+
+#include "render/video/video_encoder.h"
+
+namespace loopscope {
+
+std::unique_ptr<VideoEncoder> LoadVideoEncoder() {
+  // Never closed: what it loads does not like to be unloaded.
+  void* const library = dlopen("libloopscope_video.so", RTLD_NOW | RTLD_LOCAL);
+  void* const maker = library ? dlsym(library, kVideoEncoderMaker) : nullptr;
+  if (!maker) throw std::runtime_error(std::string("cannot write films: ") + dlerror());
+  return std::unique_ptr<VideoEncoder>(reinterpret_cast<VideoEncoderMaker>(maker)());
+}
+
+}  // namespace loopscope
