@@ -3,6 +3,7 @@
 #include "core/grid/ray_cast.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 
 #include "core/grid/wall_filling.h"
@@ -13,23 +14,72 @@ namespace {
 /// [cells] Leaves no gaps in a wall, whatever its direction.
 constexpr double kStepsAlongWalls = 0.7;
 
-/// Which cells of a box were seen already.
-class Marks {
+/// A set of cells of a box, a bit for each: a ray sets a row of cells at once.
+class CellSet {
  public:
-  explicit Marks(const CellBox& box) : box_(box), marked_(box.num_cells(), 0) {}
+  explicit CellSet(const CellBox& box)
+      : box_(box),
+        words_per_row_((box.width + kBits - 1) / kBits),
+        words_(static_cast<std::size_t>(words_per_row_) * box.height, 0) {}
 
-  /// Marks the cells `left` to `right` of a row, and adds those that were not marked before.
-  void MarkRun(int row, int left, int right, std::vector<CellIndex>* added) {
-    std::uint8_t* mark = marked_.data() + box_.FlatIndex({left, row});
-    for (int x = left; x <= right; ++x, ++mark) {
-      if (*mark == 0) added->push_back({x, row});
-      *mark = 1;
+  /// Whether the cell was not in it.
+  bool Insert(CellIndex cell) {
+    const int x = cell.x - box_.min.x;
+    std::uint64_t& word = RowOf(cell.y)[x / kBits];
+    const std::uint64_t bit = std::uint64_t{1} << (x % kBits);
+    const bool is_new = (word & bit) == 0;
+    word |= bit;
+    return is_new;
+  }
+
+  /// The cells `left` to `right` of a row.
+  void InsertRun(int row, int left, int right) {
+    std::uint64_t* const words = RowOf(row);
+    const int first = left - box_.min.x;
+    const int last = right - box_.min.x;
+    const std::uint64_t from_first = ~std::uint64_t{0} << (first % kBits);
+    const std::uint64_t to_last = ~std::uint64_t{0} >> (kBits - 1 - last % kBits);
+    const int first_word = first / kBits;
+    const int last_word = last / kBits;
+    if (first_word == last_word) {
+      words[first_word] |= from_first & to_last;
+      return;
     }
+    words[first_word] |= from_first;
+    std::fill(words + first_word + 1, words + last_word, ~std::uint64_t{0});
+    words[last_word] |= to_last;
+  }
+
+  /// Those that are not in `others`, a set of the same box: row by row, from the lowest y on.
+  std::vector<CellIndex> Without(const CellSet& others) const {
+    std::vector<std::uint64_t> rest(words_.size());
+    int count = 0;
+    for (std::size_t i = 0; i < words_.size(); ++i) {
+      rest[i] = words_[i] & ~others.words_[i];
+      count += __builtin_popcountll(rest[i]);
+    }
+    std::vector<CellIndex> cells(count);
+    CellIndex* cell = cells.data();
+    auto word = rest.begin();
+    for (int y = box_.min.y; y < box_.min.y + box_.height; ++y) {
+      for (int i = 0; i < words_per_row_; ++i, ++word) {
+        const int x = box_.min.x + i * kBits;
+        for (; *word != 0; *word &= *word - 1) *cell++ = {x + __builtin_ctzll(*word), y};
+      }
+    }
+    return cells;
   }
 
  private:
+  static constexpr int kBits = 64;
+
+  std::uint64_t* RowOf(int y) {
+    return words_.data() + static_cast<std::size_t>(y - box_.min.y) * words_per_row_;
+  }
+
   CellBox box_;
-  std::vector<std::uint8_t> marked_;
+  int words_per_row_;
+  std::vector<std::uint64_t> words_;
 };
 
 /// In units of cells, with pixels from whole number to whole number.
@@ -46,11 +96,12 @@ void ForEachCrossedRow(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const
   const int first_row = FloorToInt(low.y());
   const int last_row = FloorToInt(high.y());
   const double slope = last_row > first_row ? (high.x() - low.x()) / (high.y() - low.y()) : 0.0;
-  double enter_x = low.x();
+  int enter = FloorToInt(low.x());
   for (int row = first_row; row <= last_row; ++row) {
-    const double leave_x = row == last_row ? high.x() : low.x() + slope * (row + 1 - low.y());
-    visit(row, FloorToInt(std::min(enter_x, leave_x)), FloorToInt(std::max(enter_x, leave_x)));
-    enter_x = leave_x;
+    const int leave =
+        FloorToInt(row == last_row ? high.x() : low.x() + slope * (row + 1 - low.y()));
+    visit(row, std::min(enter, leave), std::max(enter, leave));
+    enter = leave;
   }
 }
 
@@ -66,23 +117,25 @@ CellBox BoxOfRays(const RangeData& data, double resolution) {
 }  // namespace
 
 ScanCells CastRays(const RangeData& data, double resolution, double max_wall_gap) {
+  const CellBox box = BoxOfRays(data, resolution);
   ScanCells cells;
-  Marks marks(BoxOfRays(data, resolution));
+  CellSet hits(box);
   const auto hit = [&](const Eigen::Vector2d& point) {
     const CellIndex cell = CellOf(point, resolution);
-    marks.MarkRun(cell.y, cell.x, cell.x, &cells.hits);
+    if (hits.Insert(cell)) cells.hits.push_back(cell);
   };
   const PointCloud walls = PointsBetween(data.returns, max_wall_gap, kStepsAlongWalls * resolution);
   std::for_each(data.returns.begin(), data.returns.end(), hit);
   std::for_each(walls.begin(), walls.end(), hit);
+  CellSet crossed(box);
   const Eigen::Vector2d origin = ToPixelFrame(data.origin, resolution);
   const auto cast_to = [&](const Eigen::Vector2d& end) {
-    ForEachCrossedRow(origin, ToPixelFrame(end, resolution), [&](int row, int left, int right) {
-      marks.MarkRun(row, left, right, &cells.misses);
-    });
+    ForEachCrossedRow(origin, ToPixelFrame(end, resolution),
+                      [&](int row, int left, int right) { crossed.InsertRun(row, left, right); });
   };
   std::for_each(data.returns.begin(), data.returns.end(), cast_to);
   std::for_each(data.misses.begin(), data.misses.end(), cast_to);
+  cells.misses = crossed.Without(hits);
   return cells;
 }
 

@@ -10,7 +10,7 @@ namespace loopscope {
 /// The cells that `data` (in the frame of the grid) observes on a lattice of edge `resolution` [m].
 /// Hits are the cells of the returns; misses are all other cells whose pixel is crossed by a ray
 /// from the origin to a return or to the end of a miss, exactly, not only to the nearest cell. A
-/// cell appears at most once, hits before misses. The order of the cells is that of the rays.
+/// cell appears at most once. Hits are in the order of the returns, misses row by row.
 /// Hits are also the cells of walls between returns up to `max_wall_gap` [m] apart, see
 /// PointsBetween.
 ScanCells CastRays(const RangeData& data, double resolution, double max_wall_gap = 0.0);
