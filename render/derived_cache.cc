@@ -12,6 +12,28 @@ namespace {
 
 std::size_t BytesOf(const ProbabilityGrid& grid) { return grid.cells().size() * sizeof(CellValue); }
 
+/// Submaps that follow each other, to be derived in one go.
+struct Row {
+  int first = 0;
+  int count = 0;
+};
+
+/// All of `submaps`, which ascend; in rows long enough to cast few scans twice, and short enough to
+/// keep many threads busy.
+std::vector<Row> RowsOf(const std::vector<int>& submaps) {
+  constexpr int kMaxCount = 8;
+  std::vector<Row> rows;
+  for (const int submap : submaps) {
+    const bool follows = !rows.empty() && rows.back().first + rows.back().count == submap;
+    if (follows && rows.back().count < kMaxCount) {
+      ++rows.back().count;
+    } else {
+      rows.push_back({submap, 1});
+    }
+  }
+  return rows;
+}
+
 }  // namespace
 
 std::vector<DerivedCache::Grid> DerivedCache::GridsOfState(const MapState& state) {
@@ -24,10 +46,16 @@ std::vector<DerivedCache::Grid> DerivedCache::GridsOfState(const MapState& state
     if (found == grids_.end()) missing.push_back(submap.index);
     grids.push_back(found == grids_.end() ? nullptr : found->second.grid);
   }
-  ParallelFor(static_cast<int>(missing.size()), [&](int i) {
-    const auto& [submap, num_nodes] = keys[missing[i]];
-    grids[submap] = std::make_shared<const ProbabilityGrid>(
-        GridOfSubmap(recording_, SubmapId{submap}, num_nodes));
+  const std::vector<Row> rows = RowsOf(missing);
+  ParallelFor(static_cast<int>(rows.size()), [&](int i) {
+    const Row& row = rows[i];
+    std::vector<int> nums_nodes;
+    for (int k = 0; k < row.count; ++k) nums_nodes.push_back(keys[row.first + k].second);
+    std::vector<ProbabilityGrid> derived =
+        GridsOfSubmaps(recording_, SubmapId{row.first}, nums_nodes);
+    for (int k = 0; k < row.count; ++k) {
+      grids[row.first + k] = std::make_shared<const ProbabilityGrid>(std::move(derived[k]));
+    }
   });
   ++uses_;
   newest_ = state.num_submaps - 1;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/slam/derive.h"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -28,6 +29,14 @@ std::optional<SubmapId> MatchingSubmapOfStep(const Recording& recording, int ste
   return std::nullopt;
 }
 
+/// The cells that a node hit and missed, on the lattice of the local frame.
+ScanCells LocalCellsOfNode(const Recording& recording, NodeId node) {
+  const SubmapsOptions& options = LocalOptions(recording).submaps;
+  const Node& record = recording.node(node);
+  return CastRays(Transform(record.local_from_base, RangeDataOfStep(recording, record.step)),
+                  options.grid_resolution, options.range_data_inserter.max_wall_gap);
+}
+
 }  // namespace
 
 RangeData RangeDataOfStep(const Recording& recording, int step) {
@@ -44,26 +53,43 @@ Pose2 SubmapFromNode(const Recording& recording, SubmapId submap, NodeId node) {
 }
 
 ScanCells CellsOfNode(const Recording& recording, SubmapId submap, NodeId node) {
-  const SubmapsOptions& options = LocalOptions(recording).submaps;
-  const double resolution = options.grid_resolution;
-  const RangeData range_data_in_local = Transform(
-      recording.node(node).local_from_base, RangeDataOfStep(recording, recording.node(node).step));
-  return ToSubmapLattice(
-      CastRays(range_data_in_local, resolution, options.range_data_inserter.max_wall_gap),
-      recording.submap(submap).local_from_submap, resolution);
+  return ToSubmapLattice(LocalCellsOfNode(recording, node),
+                         recording.submap(submap).local_from_submap,
+                         LocalOptions(recording).submaps.grid_resolution);
 }
 
 ProbabilityGrid GridOfSubmap(const Recording& recording, SubmapId submap, int num_nodes) {
+  if (num_nodes < 0) num_nodes = recording.submap(submap).num_nodes;
+  return std::move(GridsOfSubmaps(recording, submap, {num_nodes}).front());
+}
+
+std::vector<ProbabilityGrid> GridsOfSubmaps(const Recording& recording, SubmapId first,
+                                            const std::vector<int>& nums_nodes) {
   const SubmapsOptions& options = LocalOptions(recording).submaps;
-  const Submap& record = recording.submap(submap);
-  if (num_nodes < 0) num_nodes = record.num_nodes;
-  assert(num_nodes <= record.num_nodes);
   const ScanInserter inserter(options.range_data_inserter);
-  ProbabilityGrid grid(options.grid_resolution);
-  for (int i = 0; i < num_nodes; ++i) {
-    inserter.Insert(CellsOfNode(recording, submap, NodeId{record.first_node.index + i}), &grid);
+  const int count = static_cast<int>(nums_nodes.size());
+  std::vector<ProbabilityGrid> grids(count, ProbabilityGrid(options.grid_resolution));
+  std::vector<NodeId> ends;
+  for (int i = 0; i < count; ++i) {
+    const Submap& submap = recording.submap(SubmapId{first.index + i});
+    assert(nums_nodes[i] <= submap.num_nodes);
+    ends.push_back(NodeId{submap.first_node.index + nums_nodes[i]});
   }
-  return grid;
+  const NodeId end = *std::max_element(ends.begin(), ends.end());
+  for (NodeId node = recording.submap(first).first_node; node < end; ++node.index) {
+    std::optional<ScanCells> cells_in_local;
+    const Node& record = recording.node(node);
+    for (int k = 0; k < record.num_submaps; ++k) {
+      const SubmapId submap{record.first_submap.index + k};
+      const int i = submap.index - first.index;
+      if (i < 0 || i >= count || !(node < ends[i])) continue;
+      if (!cells_in_local) cells_in_local = LocalCellsOfNode(recording, node);
+      inserter.Insert(ToSubmapLattice(*cells_in_local, recording.submap(submap).local_from_submap,
+                                      options.grid_resolution),
+                      &grids[i]);
+    }
+  }
+  return grids;
 }
 
 int NumNodesOfSubmapAfterStep(const Recording& recording, SubmapId submap, int step) {

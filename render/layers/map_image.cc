@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include "render/parallel.h"
@@ -60,38 +62,74 @@ void FillFromCells(const PlacedGrid& placed, const Raster& raster, bool quarters
   }
 }
 
-/// For small pixels: looks up the cell beneath the middle of each.
-void FillFromPixels(const PlacedGrid& placed, const Raster& raster, Patch* patch) {
-  const ProbabilityGrid& grid = *placed.grid;
-  // From pixels of the raster to cells of the grid.
-  const Pose2 grid_from_map = placed.map_from_grid.Inverse();
-  const double scale = raster.pixel_size / grid.resolution();
-  const Eigen::Matrix2d turn = scale * grid_from_map.RotationMatrix();
-  const Eigen::Vector2d shift = (grid_from_map * raster.origin) / grid.resolution();
-  auto value = patch->values.begin();
-  for (int y = 0; y < patch->box.height; ++y) {
-    const Eigen::Vector2d first(patch->box.min.x, patch->box.min.y + y);
-    Eigen::Vector2d cell = turn * first + shift;
-    for (int x = 0; x < patch->box.width; ++x, ++value, cell += turn.col(0)) {
-      *value = grid.value(CellOf(cell, 1.0));
-    }
-  }
-}
-
 Patch MakePatch(const PlacedGrid& placed, const Raster& raster) {
   Patch patch;
   patch.box = PixelsOf(placed, raster);
   if (patch.box.empty()) return {};
   patch.values.assign(patch.box.num_cells(), kUnknown);
-  // Points no farther apart than a pixel's edge / sqrt(2) miss no pixel, and likewise with cells.
-  const double cells_per_pixel = raster.pixel_size / placed.grid->resolution();
-  if (cells_per_pixel < M_SQRT1_2) {
-    FillFromPixels(placed, raster, &patch);
-  } else {
-    FillFromCells(placed, raster, cells_per_pixel < M_SQRT2, &patch);
-  }
+  FillFromCells(placed, raster, raster.pixel_size / placed.grid->resolution() < M_SQRT2, &patch);
   return patch;
 }
+
+/// The cells beneath the middles of the pixels of a row, in fixed point: steps must be cheap, and
+/// what is rounded away is less than a thousandth of a cell over the widest picture.
+class CellWalk {
+ public:
+  /// From `first`, in cells from the corner of `box`, by `step` for each pixel.
+  CellWalk(const Eigen::Vector2d& first, const Eigen::Vector2d& step, const CellBox& box)
+      : x_(ToFixed(first.x())),
+        y_(ToFixed(first.y())),
+        step_x_(ToFixed(step.x())),
+        step_y_(ToFixed(step.y())),
+        width_(box.width),
+        height_(box.height) {}
+
+  /// Of the pixels from `begin` to `end`, those whose cells lie in the box: they follow each other.
+  std::pair<int, int> Inside(int begin, int end) const {
+    Clip(x_, step_x_, width_, &begin, &end);
+    Clip(y_, step_y_, height_, &begin, &end);
+    return {begin, std::max(begin, end)};
+  }
+
+  /// Row-major, in the box.
+  std::ptrdiff_t IndexAt(int pixel) const {
+    const std::int64_t x = (x_ + pixel * step_x_) >> kFractionBits;
+    const std::int64_t y = (y_ + pixel * step_y_) >> kFractionBits;
+    return y * width_ + x;
+  }
+
+ private:
+  static constexpr int kFractionBits = 32;
+
+  static std::int64_t ToFixed(double value) {
+    return std::llround(std::ldexp(value, kFractionBits));
+  }
+
+  /// Leaves the pixels at which `first + pixel * step` lies in [0, size).
+  static void Clip(std::int64_t first, std::int64_t step, std::int64_t size, int* begin, int* end) {
+    const std::int64_t beyond = size << kFractionBits;
+    const auto is_inside = [&](int pixel) {
+      const std::int64_t at = first + pixel * step;
+      return 0 <= at && at < beyond;
+    };
+    if (step != 0) {
+      const double enter = static_cast<double>(step > 0 ? -first : beyond - first) / step;
+      const double leave = static_cast<double>(step > 0 ? beyond - first : -first) / step;
+      // One pixel more on each side against rounding.
+      *begin = static_cast<int>(std::max<double>(*begin, std::floor(enter) - 1.0));
+      *end = static_cast<int>(std::min<double>(*end, std::ceil(leave) + 2.0));
+    }
+    while (*begin < *end && !is_inside(*begin)) ++*begin;
+    while (*begin < *end && !is_inside(*end - 1)) --*end;
+  }
+
+  std::int64_t x_;
+  std::int64_t y_;
+  std::int64_t step_x_;
+  std::int64_t step_y_;
+  std::int64_t width_;
+  std::int64_t height_;
+};
 
 /// Sums of log odds, shown in colours of a table.
 class LogOddsSum {
@@ -112,6 +150,27 @@ class LogOddsSum {
           static_cast<std::size_t>(patch.box.min.y + y) * raster_.width + patch.box.min.x;
       for (int x = 0; x < patch.box.width; ++x) {
         const CellValue value = patch.values[static_cast<std::size_t>(y) * patch.box.width + x];
+        sums_[row + x] += log_odds_[value];
+        known_[row + x] |= value != kUnknown;
+      }
+    }
+  }
+
+  /// For small pixels: adds what the grid has beneath the middle of each of `pixels`.
+  void AddFromPixels(const PlacedGrid& placed, const CellBox& pixels) {
+    const ProbabilityGrid& grid = *placed.grid;
+    // From pixels of the raster to cells of the grid.
+    const Pose2 grid_from_map = placed.map_from_grid.Inverse();
+    const double scale = raster_.pixel_size / grid.resolution();
+    const Eigen::Matrix2d turn = scale * grid_from_map.RotationMatrix();
+    const Eigen::Vector2d shift = (grid_from_map * raster_.origin) / grid.resolution() +
+                                  Eigen::Vector2d(0.5 - grid.box().min.x, 0.5 - grid.box().min.y);
+    for (int y = pixels.min.y; y < pixels.min.y + pixels.height; ++y) {
+      const CellWalk walk(turn * Eigen::Vector2d(0.0, y) + shift, turn.col(0), grid.box());
+      const auto [begin, end] = walk.Inside(pixels.min.x, pixels.min.x + pixels.width);
+      const std::size_t row = static_cast<std::size_t>(y) * raster_.width;
+      for (int x = begin; x < end; ++x) {
+        const CellValue value = grid.cells()[walk.IndexAt(x)];
         sums_[row + x] += log_odds_[value];
         known_[row + x] |= value != kUnknown;
       }
@@ -170,11 +229,25 @@ Raster RasterFor(const FlatCamera& camera, const Box& frame, double resolution) 
 
 CellImage ComposeMap(const std::vector<PlacedGrid>& grids, const Raster& raster,
                      const MapColors& colors) {
-  std::vector<Patch> patches(grids.size());
-  ParallelFor(static_cast<int>(grids.size()),
-              [&](int i) { patches[i] = MakePatch(grids[i], raster); });
   LogOddsSum sum(raster);
-  for (const Patch& patch : patches) sum.Add(patch);
+  // Points no farther apart than a pixel's edge / sqrt(2) miss no pixel, and likewise with cells.
+  const bool small_pixels = std::all_of(grids.begin(), grids.end(), [&](const PlacedGrid& grid) {
+    return raster.pixel_size / grid.grid->resolution() < M_SQRT1_2;
+  });
+  const int count = static_cast<int>(grids.size());
+  if (small_pixels) {
+    std::vector<CellBox> pixels(grids.size());
+    ParallelFor(count, [&](int i) { pixels[i] = PixelsOf(grids[i], raster); });
+    constexpr int kRowsOfBand = 32;
+    ParallelFor((raster.height + kRowsOfBand - 1) / kRowsOfBand, [&](int band) {
+      const CellBox rows{{0, band * kRowsOfBand}, raster.width, kRowsOfBand};
+      for (int i = 0; i < count; ++i) sum.AddFromPixels(grids[i], Intersection(pixels[i], rows));
+    });
+  } else {
+    std::vector<Patch> patches(grids.size());
+    ParallelFor(count, [&](int i) { patches[i] = MakePatch(grids[i], raster); });
+    for (const Patch& patch : patches) sum.Add(patch);
+  }
   return sum.ToImage(colors);
 }
 

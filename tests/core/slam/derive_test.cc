@@ -76,6 +76,26 @@ TEST(GridOfSubmap, GrowsNodeByNode) {
   ExpectSameGrid(GridOfSubmap(recording, submap, 5), grid);
 }
 
+TEST(GridsOfSubmaps, AreThoseOfEachSubmapByItself) {
+  const Recording recording = MapSmallLoop();
+  const SubmapId first{2};
+  const std::vector<int> nums_nodes = {3, recording.submap(SubmapId{3}).num_nodes, 0, 5};
+  const std::vector<ProbabilityGrid> grids = GridsOfSubmaps(recording, first, nums_nodes);
+  ASSERT_EQ(grids.size(), nums_nodes.size());
+  for (int i = 0; i < 4; ++i) {
+    SCOPED_TRACE(i);
+    const SubmapId submap{first.index + i};
+    ProbabilityGrid expected(grids[i].resolution());
+    const ScanInserter inserter(
+        recording.options().trajectory_builder_2d.submaps.range_data_inserter);
+    for (int k = 0; k < nums_nodes[i]; ++k) {
+      const NodeId node{recording.submap(submap).first_node.index + k};
+      inserter.Insert(CellsOfNode(recording, submap, node), &expected);
+    }
+    ExpectSameGrid(grids[i], expected);
+  }
+}
+
 TEST(NumNodesOfSubmapAfterStep, CountsTheNodesUntilThen) {
   const Recording recording = MapSmallLoop();
   const SubmapId id{1};
