@@ -20,6 +20,9 @@ namespace loopscope::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+constexpr int kLogStripWidth = 4;
+static_assert(1 << kLogStripWidth == PrecomputedGrid::kStripWidth);
+
 /// Sums of so many bytes fit into 16 bits.
 constexpr std::size_t kMaxSummands = 257;
 
@@ -51,7 +54,7 @@ std::size_t FindWindows(const PrecomputedGrid& grid, const CellIndex* cells, std
     const auto strip = hn::Add(hn::Mul(phase, hn::Set(ints, grid.num_strips())),
                                hn::Add(hn::ShiftRight<3>(column), hn::Set(ints, 1)));
     const auto in_strip =
-        hn::Add(hn::Mul(hn::Sub(row, outside), hn::Set(ints, PrecomputedGrid::kStripWidth)),
+        hn::Add(hn::ShiftLeft<kLogStripWidth>(hn::Sub(row, outside)),
                 hn::And(column, hn::Set(ints, PrecomputedGrid::kStripStep - 1)));
     const auto place = hn::Add(hn::Mul(strip, hn::Set(ints, grid.strip_size())), in_strip);
     num_windows += hn::CompressStore(place, is_inside, ints, places + num_windows);

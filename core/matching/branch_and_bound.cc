@@ -38,6 +38,44 @@ struct Block {
   }
 };
 
+/// The 8 x 8 start nodes of a square at one angle, from which the best is taken again and again.
+struct StartSquare {
+  CellIndex first;
+  int angle_index = 0;
+  int height = 0;
+  int num_rows = 0;
+  int num_columns = 0;
+  BlockSums sums;
+
+  /// The sum of those that were taken is less than any other.
+  int MaxSum() const { return MaxOfBlocks(sums, 0, num_rows, num_columns); }
+
+  /// The first with the greatest sum.
+  Block Best(int max_sum) const {
+    int place = 0;
+    while (sums[place] != max_sum || place % kBlocksPerSide >= num_columns) ++place;
+    return {{first.x + (place % kBlocksPerSide << height),
+             first.y + (place / kBlocksPerSide << height)},
+            angle_index,
+            height,
+            max_sum,
+            -1};
+  }
+
+  void Take(const Block& block) {
+    sums[((block.offset.y - first.y) >> height) * kBlocksPerSide +
+         ((block.offset.x - first.x) >> height)] = -1;
+  }
+};
+
+/// A start node that is the best of its square.
+struct StartNode {
+  Block block;
+  int square = -1;  ///< -1 if it comes by itself
+
+  friend bool operator<(const StartNode& a, const StartNode& b) { return a.block < b.block; }
+};
+
 /// Offsets of a window that are not of interest.
 struct Disc {
   Eigen::Vector2d center;  ///< [cells]
@@ -104,26 +142,60 @@ class Search {
 
   /// The start node with the highest bound, if that beats the best score.
   std::optional<Block> NextStartBlock() {
-    OpenSectorsDownTo(start_blocks_.empty() ? best_sum_ + 1
-                                            : std::max(best_sum_ + 1, start_blocks_.top().sum));
-    if (start_blocks_.empty() || start_blocks_.top().sum <= best_sum_) return std::nullopt;
-    const Block block = start_blocks_.top();
-    start_blocks_.pop();
-    return block;
+    OpenSectorsDownTo(start_nodes_.empty()
+                          ? best_sum_ + 1
+                          : std::max(best_sum_ + 1, start_nodes_.top().block.sum));
+    if (start_nodes_.empty()) return std::nullopt;
+    if (start_nodes_.top().block.sum <= best_sum_) {
+      pruned_sum_ = std::max(pruned_sum_, start_nodes_.top().block.sum);
+      return std::nullopt;
+    }
+    const StartNode next = start_nodes_.top();
+    start_nodes_.pop();
+    if (next.square >= 0) {
+      StartSquare& square = squares_[next.square];
+      square.Take(next.block);
+      start_nodes_.push({square.Best(square.MaxSum()), next.square});
+    }
+    return next.block;
   }
 
   /// Gives those start nodes bounds of their own that are in sectors with at least `min_bound`, and
   /// then in those with at least the bound of what was found in these.
   void OpenSectorsDownTo(int min_bound) {
-    std::vector<Block> blocks;
     while (const std::optional<Sector> sector = sectors_->Pop(min_bound)) {
       for (int angle = sector->first_angle; angle <= sector->last_angle; ++angle) {
-        blocks.clear();
-        ScoreSquare(sector->first, sector->last, angle, start_height_, -1, &blocks);
-        for (const Block& block : blocks) start_blocks_.push(block);
+        AddStartNodes(*sector, angle);
       }
-      if (!start_blocks_.empty()) min_bound = std::max(min_bound, start_blocks_.top().sum);
+      if (!start_nodes_.empty()) min_bound = std::max(min_bound, start_nodes_.top().block.sum);
     }
+  }
+
+  void AddStartNodes(const Sector& sector, int angle_index) {
+    if (trace_ != nullptr) {
+      std::vector<Block> blocks;
+      ScoreSquare(sector.first, sector.last, angle_index, start_height_, -1, &blocks);
+      for (const Block& block : blocks) start_nodes_.push({block, -1});
+      return;
+    }
+    StartSquare square;
+    square.first = sector.first;
+    square.angle_index = angle_index;
+    square.height = start_height_;
+    square.num_rows = NumBlocks(sector.first.y, sector.last.y, start_height_);
+    square.num_columns = NumBlocks(sector.first.x, sector.last.x, start_height_);
+    square.sums = SumBlocks(grids_.at_height(start_height_), CellsAt(angle_index), sector.first,
+                            square.num_rows);
+    const int max_sum = square.MaxSum();
+    if (max_sum >= best_start_.sum) {
+      best_start_ = std::max(best_start_, square.Best(max_sum));
+    }
+    if (max_sum <= best_sum_) {
+      pruned_sum_ = std::max(pruned_sum_, max_sum);
+      return;
+    }
+    squares_.push_back(square);
+    start_nodes_.push({square.Best(max_sum), static_cast<int>(squares_.size()) - 1});
   }
 
   /// Where bounds begin to tell places apart. Higher ones are nearly always as high as can be.
@@ -152,8 +224,8 @@ class Search {
   }
 
   void PruneRest() {
-    for (; !start_blocks_.empty(); start_blocks_.pop()) {
-      Decide(start_blocks_.top(), SearchFate::kPruned);
+    for (; !start_nodes_.empty(); start_nodes_.pop()) {
+      Decide(start_nodes_.top().block, SearchFate::kPruned);
     }
   }
 
@@ -186,21 +258,13 @@ class Search {
     const int num_columns = NumBlocks(first.x, last.x, height);
     const BlockSums sums =
         SumBlocks(grids_.at_height(height), CellsAt(angle_index), first, num_rows);
-    const auto is_of_no_use = [this](int sum) {
-      return trace_ == nullptr && sum <= best_sum_ && sum < best_start_.sum;
-    };
     const int max_of_all = MaxOfBlocks(sums, 0, num_rows, num_columns);
-    if (is_of_no_use(max_of_all)) {
+    if (trace_ == nullptr && max_of_all <= best_sum_) {
       pruned_sum_ = std::max(pruned_sum_, max_of_all);
       return;
     }
     for (int j = 0; j < num_rows; ++j) {
       const int* const row = sums.data() + j * kBlocksPerSide;
-      const int max_sum = *std::max_element(row, row + num_columns);
-      if (is_of_no_use(max_sum)) {
-        pruned_sum_ = std::max(pruned_sum_, max_sum);
-        continue;
-      }
       const int y = first.y + (j << height);
       for (int i = 0; i < num_columns; ++i) {
         Add({{first.x + (i << height), y}, angle_index, height, row[i], -1}, parent, blocks);
@@ -221,7 +285,7 @@ class Search {
 
   void Add(Block block, int parent, std::vector<Block>* blocks) {
     if (block.sum <= best_sum_) pruned_sum_ = std::max(pruned_sum_, block.sum);
-    if (best_start_ < block) best_start_ = block;
+    if (block.height == start_height_ && best_start_ < block) best_start_ = block;
     if (trace_ != nullptr) {
       block.trace_index = static_cast<int>(trace_->nodes.size());
       trace_->nodes.push_back({parent, block.height, block.offset, block.angle_index,
@@ -277,8 +341,9 @@ class Search {
   SearchTrace* trace_;
   std::vector<std::vector<CellIndex>> cells_at_angle_;  ///< empty until they are needed
   int start_height_ = 0;
-  std::optional<SectorQueue> sectors_;       ///< whose start nodes have no bounds of their own yet
-  std::priority_queue<Block> start_blocks_;  ///< those that have
+  std::optional<SectorQueue> sectors_;          ///< whose start nodes have no bounds of their own yet
+  std::vector<StartSquare> squares_;
+  std::priority_queue<StartNode> start_nodes_;  ///< those that have, but for others of their squares
   Block best_start_{{}, 0, 0, -1, -1};       ///< the start node with the highest bound
   int best_sum_ = -1;
   double best_score_ = 0.0;

@@ -56,6 +56,40 @@ void CellsOfMovedHere(const Eigen::Vector2d* points, std::size_t num_points,
   for (; i < num_points; ++i) cells[i] = CellOf(rotation * points[i] + translation, resolution);
 }
 
+/// No cell is higher, in x or in y, than those of the point moved by either rotation, and then by
+/// `translation` [m]; nor lower by more than one.
+void LowestCellsHere(const Eigen::Vector2d* points, std::size_t num_points,
+                     const Eigen::Matrix2d& first_rotation, const Eigen::Matrix2d& last_rotation,
+                     const Eigen::Vector2d& translation, double resolution, CellIndex* cells) {
+  const hn::ScalableTag<double> numbers;
+  const hn::Rebind<std::int32_t, decltype(numbers)> indices;
+  const auto inverse = hn::Set(numbers, 1.0 / resolution);
+  const auto coordinate = [&](int row, auto x, auto y) HWY_ATTR {
+    const auto turned = [&](const Eigen::Matrix2d& rotation) HWY_ATTR {
+      return hn::Add(hn::Mul(hn::Set(numbers, rotation(row, 0)), x),
+                     hn::Mul(hn::Set(numbers, rotation(row, 1)), y));
+    };
+    const auto lower = hn::Min(turned(first_rotation), turned(last_rotation));
+    const auto moved = hn::Add(lower, hn::Set(numbers, translation[row]));
+    const auto cell =
+        hn::Floor(hn::Add(hn::Mul(moved, inverse), hn::Set(numbers, 0.5 - kMaxRounding)));
+    return hn::DemoteTo(indices, cell);
+  };
+  std::size_t i = 0;
+  for (; i + hn::Lanes(numbers) <= num_points; i += hn::Lanes(numbers)) {
+    hn::Vec<decltype(numbers)> x;
+    hn::Vec<decltype(numbers)> y;
+    hn::LoadInterleaved2(numbers, points[i].data(), x, y);
+    hn::StoreInterleaved2(coordinate(0, x, y), coordinate(1, x, y), indices, &cells[i].x);
+  }
+  for (; i < num_points; ++i) {
+    const Eigen::Vector2d lower =
+        (first_rotation * points[i]).cwiseMin(last_rotation * points[i]) + translation;
+    cells[i] = {FloorToInt(lower.x() / resolution + 0.5 - kMaxRounding),
+                FloorToInt(lower.y() / resolution + 0.5 - kMaxRounding)};
+  }
+}
+
 }  // namespace loopscope::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -63,6 +97,7 @@ HWY_AFTER_NAMESPACE();
 namespace loopscope {
 
 HWY_EXPORT(CellsOfMovedHere);
+HWY_EXPORT(LowestCellsHere);
 
 double AngularStep(const PointCloud& points_in_scan, double resolution) {
   // A scan all of whose points are within a few cells has no use for larger steps.
@@ -108,13 +143,13 @@ std::vector<CellIndex> LowestCells(const SearchWindow& window, const PointCloud&
   const double max_range = 0.5 * window.resolution / std::sin(0.5 * window.angular_step);
   const double half_turn = 0.5 * (last_angle - first_angle) * window.angular_step;
   const double max_sagitta = max_range * (1.0 - std::cos(half_turn));
-  SearchWindow lower = window;
-  lower.submap_from_scan_guess.translation.array() -= max_sagitta + 1e-9;
-  std::vector<CellIndex> cells = CellsAtAngle(lower, points_in_scan, first_angle);
-  const std::vector<CellIndex> ends = CellsAtAngle(lower, points_in_scan, last_angle);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    cells[i] = {std::min(cells[i].x, ends[i].x), std::min(cells[i].y, ends[i].y)};
-  }
+  const Pose2 first = PoseInWindow(window, {0, 0}, first_angle);
+  const Pose2 last = PoseInWindow(window, {0, 0}, last_angle);
+  const Eigen::Vector2d lowest = first.translation.array() - max_sagitta;
+  std::vector<CellIndex> cells(points_in_scan.size());
+  HWY_DYNAMIC_DISPATCH(LowestCellsHere)
+  (points_in_scan.data(), points_in_scan.size(), first.RotationMatrix(), last.RotationMatrix(),
+   lowest, window.resolution, cells.data());
   return cells;
 }
 
