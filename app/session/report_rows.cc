@@ -27,6 +27,20 @@ ReportRow OptionValueRow(const OptionRow& row) {
   return {row.key, rounded.size() < exact.size() ? rounded : exact, "", true, exact};
 }
 
+std::string ToString(MatchStart start) {
+  switch (start) {
+    case MatchStart::kNone:
+      return "nowhere: it stays as predicted";
+    case MatchStart::kPrior:
+      return "where predicted";
+    case MatchStart::kVelocity:
+      return "where the velocity leads: odometry did not match";
+    case MatchStart::kRecovery:
+      return "where a wide search found it";
+  }
+  return "";
+}
+
 }  // namespace
 
 ReportRow Row(std::string name, std::string value) {
@@ -62,6 +76,9 @@ Section MatchedPoses(const Recording& recording, int step) {
         Row("correlative matcher", PoseText(*record.local_from_base_correlative)));
   }
   section.rows.push_back(Row("matched", PoseText(record.local_from_base)));
+  if (record.match_start) {
+    section.rows.push_back(Row("match began", ToString(*record.match_start)));
+  }
   section.rows.push_back(Row("moved by the match",
                              DifferenceText(record.local_from_base_prior, record.local_from_base)));
   if (const auto reading = OdometryOfScan(recording.log(), step)) {

@@ -95,7 +95,11 @@ Fault FaultOf(const SlamUpdate& update, const Recording& recording) {
   const std::size_t num_submaps = recording.submaps().size() + (update.started_submap ? 1 : 0);
   const std::size_t num_nodes = recording.nodes().size() + (update.node ? 1 : 0);
   if (!Within(step, recording.log().scans.size())) return "more steps than scans";
-  if (!IsFinite(update.step.local_from_base)) return "a step whose pose is not finite";
+  const Step& record = update.step;
+  if (!IsFinite(record.local_from_base) || !IsFinite(record.local_from_base_prior) ||
+      (record.local_from_base_correlative && !IsFinite(*record.local_from_base_correlative))) {
+    return "a pose that is not finite";
+  }
   if (update.started_submap) {
     if (!update.node) return "a submap without a node";
     if (Fault fault = FaultOf(*update.started_submap)) return fault;

@@ -18,6 +18,7 @@
 #include "core/io/recording_file.h"
 #include "core/io/recording_schema.h"
 #include "core/io/sqlite_table.h"
+#include "core/io/step_codec.h"
 
 namespace loopscope {
 namespace {
@@ -46,11 +47,16 @@ class Reader {
     // One transaction, so that a run that goes on beside us does not show in parts.
     const SQLite::Transaction transaction(database_);
     Recording recording(ReadRecordedLog(path_, database_), ReadRecordedOptions(path_, database_));
+    if (Version() < 3) {
+      ReadUnpackedSteps();
+    } else {
+      ReadSteps();
+    }
     ReadNodes();
     ReadSubmaps();
     ReadCandidates();
     ReadOptimizations();
-    ReadSteps(&recording);
+    Append(&recording);
     if (next_node_ != nodes_.size() || next_submap_ != submaps_.size() ||
         next_candidate_ != candidates_.size() || next_optimization_ != optimizations_.size()) {
       Fail("there are rows of steps that are not there");
@@ -74,12 +80,15 @@ class Reader {
 
   void ReadNodes() {
     SqliteTable table = Open("node",
-                             "SELECT node.*, step.x, step.y, step.rotation FROM node "
-                             "JOIN step ON step.id = node.step ORDER BY node.id");
+                             "SELECT id, step, first_submap, num_submaps, x, y, rotation FROM node "
+                             "ORDER BY id");
     while (table.Next()) {
       if (table.Int(0) != static_cast<int>(nodes_.size())) Fail("nodes are missing");
-      nodes_.push_back({table.Int(1), table.PoseFrom(table.IsNull(4) ? 7 : 4),
-                        SubmapId{table.Int(2)}, table.Int(3)});
+      const int step = table.Int(1);
+      if (step >= static_cast<int>(steps_.size())) Fail("there are nodes of steps that are not there");
+      const Pose2 pose =
+          table.IsNull(4) ? steps_[step].first.local_from_base : table.PoseFrom(4);
+      nodes_.push_back({step, pose, SubmapId{table.Int(2)}, table.Int(3)});
     }
   }
 
@@ -132,20 +141,55 @@ class Reader {
     }
   }
 
-  void ReadSteps(Recording* recording) {
-    SqliteTable table = Open("step", "SELECT * FROM step ORDER BY id");
+  void ReadSteps() {
+    StepPoseCodec poses;
+    SqliteTable table = Open("step",
+                             "SELECT id, outcome, match_start, poses, finished_submap FROM step "
+                             "ORDER BY id");
     while (table.Next()) {
-      const int step = recording->num_steps();
-      if (table.Int(0) != step) Fail(fmt::format("step {} is missing", step));
+      Step& step = AddStep(table);
+      if (!table.IsNull(2)) step.match_start = table.EnumUpTo(MatchStart::kRecovery, 2);
+      const std::string where = fmt::format("step {}", table.Int(0));
+      const std::string bytes = table.Bytes(3);
+      ByteReader in(bytes, path_, where);
+      poses.Get(&in, &step);
+      in.ExpectEnd();
+      if (!table.IsNull(4)) steps_.back().second = SubmapId{table.Int(4)};
+    }
+  }
+
+  void ReadUnpackedSteps() {
+    SqliteTable table =
+        Open("step",
+             "SELECT id, outcome, prior_x, prior_y, prior_rotation, correlative_x, correlative_y, "
+             "correlative_rotation, x, y, rotation, finished_submap FROM step ORDER BY id");
+    while (table.Next()) {
+      Step& step = AddStep(table);
+      step.local_from_base_prior = table.PoseFrom(2);
+      if (!table.IsNull(5)) step.local_from_base_correlative = table.PoseFrom(5);
+      step.local_from_base = table.PoseFrom(8);
+      if (!table.IsNull(11)) steps_.back().second = SubmapId{table.Int(11)};
+    }
+  }
+
+  /// With id and outcome, the first columns.
+  Step& AddStep(SqliteTable& table) {
+    if (table.Int(0) != static_cast<int>(steps_.size())) {
+      Fail(fmt::format("step {} is missing", steps_.size()));
+    }
+    Step step;
+    step.outcome = table.EnumUpTo(StepOutcome::kNoReturns, 1);
+    return steps_.emplace_back(step, std::nullopt).first;
+  }
+
+  void Append(Recording* recording) {
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
       SlamUpdate update;
-      update.step.outcome = table.EnumUpTo(StepOutcome::kNoReturns, 1);
-      update.step.local_from_base_prior = table.PoseFrom(2);
-      if (!table.IsNull(5)) update.step.local_from_base_correlative = table.PoseFrom(5);
-      update.step.local_from_base = table.PoseFrom(8);
-      if (!table.IsNull(11)) update.finished_submap = SubmapId{table.Int(11)};
-      TakeRest(step, &update);
+      update.step = steps_[i].first;
+      update.finished_submap = steps_[i].second;
+      TakeRest(static_cast<int>(i), &update);
       if (const auto fault = FaultOf(update, *recording)) {
-        Fail(fmt::format("step {} has {}", step, *fault));
+        Fail(fmt::format("step {} has {}", i, *fault));
       }
       recording->Append(std::move(update));
     }
@@ -172,6 +216,7 @@ class Reader {
 
   std::string path_;
   SQLite::Database database_;
+  std::vector<std::pair<Step, std::optional<SubmapId>>> steps_;  ///< with the submap it finished
   std::vector<Node> nodes_;
   std::vector<std::pair<int, Submap>> submaps_;  ///< with the step in which they were begun
   std::vector<LoopCandidate> candidates_;

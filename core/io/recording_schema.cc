@@ -41,15 +41,10 @@ CREATE TABLE option (         -- all options of the run
 CREATE TABLE step (           -- what local SLAM made of a scan
   id INTEGER PRIMARY KEY,     -- index of the scan in the log, from 0
   outcome INTEGER NOT NULL,   -- 0 inserted, 1 motion filtered, 2 no returns
-  prior_x NOT NULL,           -- [m] local_from_base as extrapolated
-  prior_y NOT NULL,           -- [m]
-  prior_rotation NOT NULL,    -- [rad]
-  correlative_x,              -- [m] local_from_base after the correlative matcher; null if not run
-  correlative_y,              -- [m]
-  correlative_rotation,       -- [rad]
-  x NOT NULL,                 -- [m] local_from_base as matched
-  y NOT NULL,                 -- [m]
-  rotation NOT NULL,          -- [rad]
+  match_start INTEGER,        -- where its match began: 0 not matched, 1 prediction, 2 velocity in
+                              -- place of odometry, 3 wide search; null if not known
+  poses BLOB NOT NULL,        -- local_from_base as extrapolated, after the correlative matcher, and
+                              -- as matched, see core/io/step_codec.h
   finished_submap INTEGER     -- that this scan completed
 );
 CREATE TABLE node (           -- a scan that was inserted

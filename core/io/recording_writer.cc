@@ -13,6 +13,7 @@
 #include "core/io/recording_creation.h"
 #include "core/io/recording_file.h"
 #include "core/io/sqlite_run.h"
+#include "core/io/step_codec.h"
 
 namespace loopscope {
 namespace {
@@ -63,19 +64,12 @@ class RecordingWriter::Statements {
  private:
   void InsertStep(const SlamUpdate& update) {
     const Step& step = update.step;
-    const Pose2& prior = step.local_from_base_prior;
-    const Pose2& pose = step.local_from_base;
-    SQLite::bind(insert_step_, num_steps_, static_cast<int>(step.outcome), prior.x(), prior.y(),
-                 prior.rotation);
-    if (const auto& correlative = step.local_from_base_correlative) {
-      insert_step_.bind(6, correlative->x());
-      insert_step_.bind(7, correlative->y());
-      insert_step_.bind(8, correlative->rotation);
-    }
-    insert_step_.bind(9, pose.x());
-    insert_step_.bind(10, pose.y());
-    insert_step_.bind(11, pose.rotation);
-    if (update.finished_submap) insert_step_.bind(12, update.finished_submap->index);
+    ByteWriter poses;
+    step_poses_.Put(step, &poses);
+    SQLite::bind(insert_step_, num_steps_, static_cast<int>(step.outcome));
+    if (step.match_start) insert_step_.bind(3, static_cast<int>(*step.match_start));
+    insert_step_.bind(4, poses.bytes().data(), static_cast<int>(poses.bytes().size()));
+    if (update.finished_submap) insert_step_.bind(5, update.finished_submap->index);
     Run(insert_step_);
   }
 
@@ -120,13 +114,13 @@ class RecordingWriter::Statements {
   }
 
   SQLite::Database database_;
-  SQLite::Statement insert_step_{database_,
-                                 "INSERT INTO step VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
+  SQLite::Statement insert_step_{database_, "INSERT INTO step VALUES (?, ?, ?, ?, ?)"};
   SQLite::Statement insert_submap_{database_, "INSERT INTO submap VALUES (?, ?, ?, ?, ?, ?)"};
   SQLite::Statement insert_node_{database_, "INSERT INTO node VALUES (?, ?, ?, ?, ?, ?, ?)"};
   SQLite::Statement insert_candidates_{database_, "INSERT INTO loop_candidates VALUES (?, ?)"};
   SQLite::Statement insert_optimization_{
       database_, "INSERT INTO optimization VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"};
+  StepPoseCodec step_poses_;
   int num_steps_ = 0;
   int num_submaps_ = 0;
   int num_optimizations_ = 0;

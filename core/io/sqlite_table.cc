@@ -32,11 +32,14 @@ Pose2 SqliteTable::PoseFrom(int column) {
   return Pose2(Double(column), Double(column + 1), Double(column + 2));
 }
 
-std::string SqliteTable::Unpacked(int column, std::size_t max_size, const std::string& where) {
+std::string SqliteTable::Bytes(int column) {
   const SQLite::Column value = statement_.getColumn(column);
   const auto* const data = static_cast<const char*>(value.getBlob());
-  const auto size = static_cast<std::size_t>(value.getBytes());
-  return Decompress({data, size}, max_size, file_, where);
+  return data == nullptr ? "" : std::string(data, static_cast<std::size_t>(value.getBytes()));
+}
+
+std::string SqliteTable::Unpacked(int column, std::size_t max_size, const std::string& where) {
+  return Decompress(Bytes(column), max_size, file_, where);
 }
 
 void SqliteTable::FailAt(int column) {

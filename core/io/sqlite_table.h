@@ -36,6 +36,8 @@ class SqliteTable {
     return static_cast<Enum>(number);
   }
 
+  std::string Bytes(int column);
+
   /// The content of a zlib stream, of at most `max_size` bytes; `where` is for messages.
   std::string Unpacked(int column, std::size_t max_size, const std::string& where);
 

@@ -31,7 +31,7 @@ LocalSlamResult LocalSlam::AddScan(int scan) {
   }
   result.range_data = PrepareRangeData(log_, scan, options_);
   result.has_returns = !result.range_data.returns.empty();
-  result.local_from_base_prior = extrapolator_.Predict(time, result.odom_from_base);
+  result.local_from_base_prior = Rounded(extrapolator_.Predict(time, result.odom_from_base));
   result.local_from_base = result.local_from_base_prior;
   if (result.has_returns) Match(time, &result);
   extrapolator_.AddPose(time, result.local_from_base, result.odom_from_base);
@@ -57,9 +57,13 @@ void LocalSlam::Match(double time, LocalSlamResult* result) {
   const ScanMatch match = MatchScan(points, submap->grid, prior, expected_score_, options_);
   expected_score_ += kExpectedScoreGain * (match.score - expected_score_);
   if (match.submap_from_base_correlative) {
-    result->local_from_base_correlative = local_from_submap * *match.submap_from_base_correlative;
+    result->local_from_base_correlative =
+        Rounded(local_from_submap * *match.submap_from_base_correlative);
   }
-  result->local_from_base = local_from_submap * match.submap_from_base;
+  result->local_from_base = match.start == MatchStart::kNone
+                                ? result->local_from_base_prior
+                                : Rounded(local_from_submap * match.submap_from_base);
+  result->match_start = match.start;
 }
 
 }  // namespace loopscope

@@ -6,6 +6,7 @@
 
 #include "core/local/active_submaps.h"
 #include "core/local/local_slam_options.h"
+#include "core/local/match_start.h"
 #include "core/local/pose_extrapolator.h"
 #include "core/sensor/scan_log.h"
 
@@ -14,9 +15,10 @@ namespace loopscope {
 /// What local SLAM made of a scan.
 struct LocalSlamResult {
   std::optional<Pose2> odom_from_base;               ///< if odometry is used and there is any
-  Pose2 local_from_base_prior;                       ///< extrapolated
+  Pose2 local_from_base_prior;                       ///< extrapolated; Rounded, like those below
   std::optional<Pose2> local_from_base_correlative;  ///< after the correlative matcher, if it ran
   Pose2 local_from_base;                             ///< after (CS), or extrapolated
+  MatchStart match_start = MatchStart::kNone;
   bool has_returns = false;
   RangeData range_data;                               ///< in the frame of the robot
   std::optional<ActiveSubmaps::Insertion> insertion;  ///< unless the motion filter dropped the scan

@@ -57,7 +57,7 @@ std::optional<ScanMatch> Recover(const PointCloud& points_in_base, const Probabi
       found,
       MatchWithCeres(points_in_base, grid, found.translation, found, options.ceres_scan_matcher)
           .submap_from_scan,
-      0.0};
+      0.0, MatchStart::kRecovery};
   match.score = MeanProbability(points_in_base, match.submap_from_base, grid);
   return match;
 }
@@ -80,8 +80,9 @@ ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& gri
                                    prior.is_measured ? options : Loosened(options));
   const double good_score = options.second_prior_relative_score * expected_score;
   if (near.score < good_score && prior.submap_from_base_by_velocity) {
-    const ScanMatch by_velocity =
+    ScanMatch by_velocity =
         MatchNear(points_in_base, grid, *prior.submap_from_base_by_velocity, Loosened(options));
+    by_velocity.start = MatchStart::kVelocity;
     if (by_velocity.score >= good_score) return by_velocity;
   }
   const double min_score = options.recovery.min_relative_score * expected_score;
@@ -94,7 +95,7 @@ ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& gri
     return near;
   }
   return {std::nullopt, prior.submap_from_base,
-          MeanProbability(points_in_base, prior.submap_from_base, grid)};
+          MeanProbability(points_in_base, prior.submap_from_base, grid), MatchStart::kNone};
 }
 
 }  // namespace loopscope

@@ -6,6 +6,7 @@
 
 #include "core/grid/probability_grid.h"
 #include "core/local/local_slam_options.h"
+#include "core/local/match_start.h"
 
 namespace loopscope {
 
@@ -15,6 +16,7 @@ struct ScanMatch {
   std::optional<Pose2> submap_from_base_correlative;
   Pose2 submap_from_base;  ///< after (CS)
   double score = 0.0;      ///< mean probability at the points there
+  MatchStart start = MatchStart::kPrior;
 };
 
 /// Where a scan is expected before it is matched.

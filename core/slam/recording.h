@@ -11,6 +11,7 @@
 #include "core/geometry/pose2.h"
 #include "core/graph/drift_share.h"
 #include "core/graph/loop_candidate.h"
+#include "core/local/match_start.h"
 #include "core/sensor/scan_log.h"
 #include "core/slam/options.h"
 
@@ -29,7 +30,8 @@ struct Step {
   std::optional<Pose2> local_from_base_correlative;  ///< after the correlative matcher, if it ran
   Pose2 local_from_base;                             ///< after (CS)
   StepOutcome outcome = StepOutcome::kNoReturns;
-  std::optional<NodeId> node;  ///< set if inserted
+  std::optional<MatchStart> match_start;  ///< unless an older Loopscope made the recording
+  std::optional<NodeId> node;             ///< set if inserted
 };
 
 /// A scan that was inserted. Its pose in each of its submaps is the INTRA_SUBMAP constraint.

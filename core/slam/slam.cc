@@ -14,6 +14,7 @@ Step ToStep(const LocalSlamResult& local) {
   step.local_from_base_prior = local.local_from_base_prior;
   step.local_from_base_correlative = local.local_from_base_correlative;
   step.local_from_base = local.local_from_base;
+  step.match_start = local.match_start;
   step.outcome = local.insertion     ? StepOutcome::kInserted
                  : local.has_returns ? StepOutcome::kMotionFiltered
                                      : StepOutcome::kNoReturns;

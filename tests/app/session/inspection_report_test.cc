@@ -82,6 +82,7 @@ TEST(ReportOnStep, TellsOfTheScanAndItsMatch) {
   EXPECT_EQ(ValueOf(report, "predicted"), PoseText(record.local_from_base_prior));
   EXPECT_EQ(ValueOf(report, "correlative matcher"), PoseText(*record.local_from_base_correlative));
   EXPECT_EQ(ValueOf(report, "matched"), PoseText(record.local_from_base));
+  EXPECT_EQ(ValueOf(report, "match began"), "where predicted");
   const Pose2 moved = record.local_from_base_prior.Inverse() * record.local_from_base;
   EXPECT_EQ(ValueOf(report, "moved by the match"),
             MetersAndDegrees({moved.x(), moved.y(), moved.rotation}));
@@ -89,6 +90,12 @@ TEST(ReportOnStep, TellsOfTheScanAndItsMatch) {
             PoseText(OdometryOfScan(run.log(), step)->odom_from_base));
   EXPECT_EQ(ValueOf(report, "nodes"), "11");
   EXPECT_EQ(ValueOf(report, "use_odometry"), "true");
+}
+
+TEST(ReportOnStep, TellsThatTheFirstScanWasNotMatched) {
+  const InspectionReport report =
+      ReportOnStep(SmallLoopRun(), StateAfterStep(SmallLoopRun(), 0));
+  EXPECT_EQ(ValueOf(report, "match began"), "nowhere: it stays as predicted");
 }
 
 TEST(ReportOnStep, TellsWhatTheScanCaused) {

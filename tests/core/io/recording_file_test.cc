@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <SQLiteCpp/VariadicBind.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -139,7 +140,7 @@ TEST(RecordingFile, DoesNotTakeOverTheJournalOfTheRecordingItReplaces) {
     SQLite::Database database(path, SQLite::OPEN_READWRITE);
     database.exec(
         "PRAGMA synchronous = OFF; PRAGMA cache_size = 1; BEGIN; "
-        "UPDATE step SET x = 0.5; UPDATE scan_chunk SET data = zeroblob(100000)");
+        "UPDATE step SET outcome = 1; UPDATE scan_chunk SET data = zeroblob(100000)");
     kill(getpid(), SIGKILL);
   }
   waitpid(child, nullptr, 0);
@@ -186,11 +187,37 @@ TEST(RecordingFile, ThrowsIfTheFileIsNoRecording) {
   EXPECT_THAT(MessageOf([&] { ReadRecording(folder.Path("none")); }), HasSubstr("no such file"));
 }
 
+/// Takes the poses of steps apart, as they were stored until schema 2.
+void UnpackSteps(const std::string& path, const Recording& recording) {
+  SQLite::Database database(path, SQLite::OPEN_READWRITE);
+  database.exec(
+      "ALTER TABLE step RENAME TO packed;"
+      "CREATE TABLE step (id INTEGER PRIMARY KEY, outcome INTEGER NOT NULL, prior_x, prior_y, "
+      "prior_rotation, correlative_x, correlative_y, correlative_rotation, x, y, rotation, "
+      "finished_submap INTEGER);"
+      "INSERT INTO step (id, outcome, finished_submap) "
+      "SELECT id, outcome, finished_submap FROM packed;"
+      "DROP TABLE packed; PRAGMA user_version = 2");
+  const auto set = [&](int step, const std::string& prefix, const Pose2& pose) {
+    SQLite::Statement update(database, "UPDATE step SET " + prefix + "x = ?, " + prefix +
+                                           "y = ?, " + prefix + "rotation = ? WHERE id = ?");
+    SQLite::bind(update, pose.x(), pose.y(), pose.rotation, step);
+    update.exec();
+  };
+  for (int i = 0; i < recording.num_steps(); ++i) {
+    const Step& step = recording.step(i);
+    set(i, "prior_", step.local_from_base_prior);
+    if (step.local_from_base_correlative) set(i, "correlative_", *step.local_from_base_correlative);
+    set(i, "", step.local_from_base);
+  }
+}
+
 TEST(RecordingFile, ReadsTheFirstSchemaWhichHadNoDriftShares) {
   const TemporaryFolder folder;
   const std::string path = folder.Path("a.loopscope");
   Write(path, SmallRun(25));
   const Recording written = ReadRecording(path);
+  UnpackSteps(path, written);
   Execute(path,
           "ALTER TABLE optimization DROP COLUMN linear_drift_share;"
           "ALTER TABLE optimization DROP COLUMN angular_drift_share;"
@@ -203,13 +230,33 @@ TEST(RecordingFile, ReadsTheFirstSchemaWhichHadNoDriftShares) {
   EXPECT_EQ(read.optimizations()[0].global_from_node, written.optimizations()[0].global_from_node);
 }
 
+TEST(RecordingFile, ReadsTheSecondSchemaWhichHadAColumnForEachNumberOfAStep) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Path("a.loopscope");
+  Write(path, SmallRun(25));
+  const Recording written = ReadRecording(path);
+  UnpackSteps(path, written);
+  const Recording read = ReadRecording(path);
+  ASSERT_EQ(read.num_steps(), 25);
+  for (int i = 0; i < 25; ++i) {
+    SCOPED_TRACE(i);
+    EXPECT_EQ(read.step(i).local_from_base_prior, written.step(i).local_from_base_prior);
+    EXPECT_EQ(read.step(i).local_from_base_correlative,
+              written.step(i).local_from_base_correlative);
+    EXPECT_EQ(read.step(i).local_from_base, written.step(i).local_from_base);
+    EXPECT_EQ(read.step(i).outcome, written.step(i).outcome);
+    EXPECT_EQ(read.step(i).match_start, std::nullopt);
+  }
+  EXPECT_EQ(read.submaps()[0].finished_step, written.submaps()[0].finished_step);
+}
+
 TEST(RecordingFile, ThrowsIfTheSchemaIsNewer) {
   const TemporaryFolder folder;
   const std::string path = folder.Path("a.loopscope");
   Write(path, SmallRun(3));
-  Execute(path, "PRAGMA user_version = 3");
+  Execute(path, "PRAGMA user_version = 4");
   EXPECT_EQ(MessageOf([&] { ReadRecording(path); }),
-            path + ": recording of schema 3, made by a newer Loopscope; expected at most 2");
+            path + ": recording of schema 4, made by a newer Loopscope; expected at most 3");
 }
 
 TEST(RecordingFile, ThrowsIfItIsInconsistent) {
@@ -217,11 +264,16 @@ TEST(RecordingFile, ThrowsIfItIsInconsistent) {
   const std::string path = folder.Path("a.loopscope");
   const std::vector<std::pair<std::string, std::string>> damages = {
       {"DELETE FROM step WHERE id = 2", "step 2 is missing"},
-      {"DELETE FROM step WHERE id = 3", "nodes are missing"},
-      {"DELETE FROM step WHERE id = 29", "rows of steps that are not there"},
+      {"DELETE FROM step WHERE id = 3", "step 3 is missing"},
+      {"DELETE FROM step WHERE id = 29", "steps that are not there"},
+      {"DELETE FROM step WHERE id = 28 OR id = 29", "steps that are not there"},
       {"UPDATE step SET outcome = 7 WHERE id = 3", "table step: column outcome"},
-      {"UPDATE step SET x = 'a' WHERE id = 2", "table step: column x"},
-      {"UPDATE step SET x = 9e999 WHERE id = 2", "table step: column x"},
+      {"UPDATE step SET match_start = 4 WHERE id = 3", "table step: column match_start"},
+      {"UPDATE step SET poses = x'' WHERE id = 2", "step 2"},
+      {"UPDATE step SET poses = x'00' WHERE id = 2", "step 2"},
+      {"UPDATE step SET poses = poses || x'00' WHERE id = 2", "step 2"},
+      {"UPDATE step SET poses = x'00' || zeroblob(40) || x'000000000000f07f' WHERE id = 2",
+       "a pose that is not finite"},
       {"UPDATE step SET finished_submap = 99 WHERE id = 3", "finished submap"},
       {"UPDATE node SET first_submap = 99 WHERE id = 3", "in submaps that are not there"},
       {"UPDATE node SET num_submaps = 3 WHERE id = 3", "in submaps that are not there"},

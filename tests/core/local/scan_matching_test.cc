@@ -64,6 +64,8 @@ TEST_F(ScanMatching, BelievesTheVelocityWhereItMatchesAndOdometryDoesNot) {
                      options_);
   };
   EXPECT_THAT(match(by_velocity, good_score).submap_from_base, PoseNear(kTruth, 0.02, 0.01));
+  EXPECT_EQ(match(by_velocity, good_score).start, MatchStart::kVelocity);
+  EXPECT_EQ(match(by_velocity, 0.0).start, MatchStart::kPrior);
   EXPECT_EQ(match(by_velocity, 0.0).submap_from_base,
             Match(kWrongPrior, 0.0, true).submap_from_base)
       << "it matches as well as can be expected where odometry has it";
@@ -79,6 +81,7 @@ TEST_F(ScanMatching, SearchesWidelyForAScanThatMatchesWorseThanExpected) {
   const ScanMatch match = Match(kWrongPrior, 0.9);
   EXPECT_THAT(match.submap_from_base, PoseNear(kTruth, 0.02, 0.01));
   EXPECT_TRUE(match.submap_from_base_correlative);
+  EXPECT_EQ(match.start, MatchStart::kRecovery);
 }
 
 TEST_F(ScanMatching, StaysNearThePriorIfNothingBetterWasExpected) {
@@ -96,6 +99,7 @@ TEST_F(ScanMatching, StaysAtAMeasuredPriorIfItMatchesNowhereAsExpected) {
   options_.recovery.linear_search_window = 0.2;
   options_.recovery.angular_search_window = 0.1;
   EXPECT_EQ(Match(kWrongPrior, 0.9, true).submap_from_base, kWrongPrior);
+  EXPECT_EQ(Match(kWrongPrior, 0.9, true).start, MatchStart::kNone);
   EXPECT_NE(Match(kWrongPrior, 0.9, false).submap_from_base, kWrongPrior);
 }
 

@@ -120,9 +120,10 @@ TEST(ReplayMatch, MatchesAgainToTheRecordedPoseBitForBit) {
         MatchScan(replay->points, replay->grid, {replay->submap_from_base_prior, true, {}}, 0.0,
                   recording.options().trajectory_builder_2d);
     const Pose2& local_from_submap = recording.submap(replay->submap).local_from_submap;
-    EXPECT_EQ(local_from_submap * match.submap_from_base, recording.step(step).local_from_base);
+    EXPECT_EQ(Rounded(local_from_submap * match.submap_from_base),
+              recording.step(step).local_from_base);
     ASSERT_TRUE(match.submap_from_base_correlative);
-    EXPECT_EQ(local_from_submap * *match.submap_from_base_correlative,
+    EXPECT_EQ(Rounded(local_from_submap * *match.submap_from_base_correlative),
               recording.step(step).local_from_base_correlative);
     EXPECT_NEAR(replay->score, match.score, 1e-3);  // but for rounding of the pose
     ++num_replayed;

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace loopscope {
+
+/// Where the match of a scan began that was believed.
+enum class MatchStart {
+  kNone,      ///< it was not matched, or matched nowhere as expected: it stays where predicted
+  kPrior,     ///< where odometry has the robot, or without odometry the velocity
+  kVelocity,  ///< where the robot would be had it gone on as before: odometry was not believed
+  kRecovery,  ///< where a search in a wide window found it
+};
+
+}  // namespace loopscope
