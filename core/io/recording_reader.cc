@@ -85,9 +85,9 @@ class Reader {
     while (table.Next()) {
       if (table.Int(0) != static_cast<int>(nodes_.size())) Fail("nodes are missing");
       const int step = table.Int(1);
-      if (step >= static_cast<int>(steps_.size())) Fail("there are nodes of steps that are not there");
-      const Pose2 pose =
-          table.IsNull(4) ? steps_[step].first.local_from_base : table.PoseFrom(4);
+      if (step >= static_cast<int>(steps_.size()))
+        Fail("there are nodes of steps that are not there");
+      const Pose2 pose = table.IsNull(4) ? steps_[step].first.local_from_base : table.PoseFrom(4);
       nodes_.push_back({step, pose, SubmapId{table.Int(2)}, table.Int(3)});
     }
   }

@@ -53,9 +53,8 @@ std::size_t FindWindows(const PrecomputedGrid& grid, const CellIndex* cells, std
         hn::Add(hn::ShiftLeftSame(hn::And(y, last_phase), height), hn::And(x, last_phase));
     const auto strip = hn::Add(hn::Mul(phase, hn::Set(ints, grid.num_strips())),
                                hn::Add(hn::ShiftRight<3>(column), hn::Set(ints, 1)));
-    const auto in_strip =
-        hn::Add(hn::ShiftLeft<kLogStripWidth>(hn::Sub(row, outside)),
-                hn::And(column, hn::Set(ints, PrecomputedGrid::kStripStep - 1)));
+    const auto in_strip = hn::Add(hn::ShiftLeft<kLogStripWidth>(hn::Sub(row, outside)),
+                                  hn::And(column, hn::Set(ints, PrecomputedGrid::kStripStep - 1)));
     const auto place = hn::Add(hn::Mul(strip, hn::Set(ints, grid.strip_size())), in_strip);
     num_windows += hn::CompressStore(place, is_inside, ints, places + num_windows);
   }

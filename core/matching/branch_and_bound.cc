@@ -142,9 +142,8 @@ class Search {
 
   /// The start node with the highest bound, if that beats the best score.
   std::optional<Block> NextStartBlock() {
-    OpenSectorsDownTo(start_nodes_.empty()
-                          ? best_sum_ + 1
-                          : std::max(best_sum_ + 1, start_nodes_.top().block.sum));
+    OpenSectorsDownTo(start_nodes_.empty() ? best_sum_ + 1
+                                           : std::max(best_sum_ + 1, start_nodes_.top().block.sum));
     if (start_nodes_.empty()) return std::nullopt;
     if (start_nodes_.top().block.sum <= best_sum_) {
       pruned_sum_ = std::max(pruned_sum_, start_nodes_.top().block.sum);
@@ -341,10 +340,11 @@ class Search {
   SearchTrace* trace_;
   std::vector<std::vector<CellIndex>> cells_at_angle_;  ///< empty until they are needed
   int start_height_ = 0;
-  std::optional<SectorQueue> sectors_;          ///< whose start nodes have no bounds of their own yet
+  std::optional<SectorQueue> sectors_;  ///< whose start nodes have no bounds of their own yet
   std::vector<StartSquare> squares_;
-  std::priority_queue<StartNode> start_nodes_;  ///< those that have, but for others of their squares
-  Block best_start_{{}, 0, 0, -1, -1};       ///< the start node with the highest bound
+  std::priority_queue<StartNode>
+      start_nodes_;                     ///< those that have, but for others of their squares
+  Block best_start_{{}, 0, 0, -1, -1};  ///< the start node with the highest bound
   int best_sum_ = -1;
   double best_score_ = 0.0;
   int pruned_sum_ = 0;  ///< the highest bound that was not followed

@@ -93,8 +93,7 @@ TEST(ReportOnStep, TellsOfTheScanAndItsMatch) {
 }
 
 TEST(ReportOnStep, TellsThatTheFirstScanWasNotMatched) {
-  const InspectionReport report =
-      ReportOnStep(SmallLoopRun(), StateAfterStep(SmallLoopRun(), 0));
+  const InspectionReport report = ReportOnStep(SmallLoopRun(), StateAfterStep(SmallLoopRun(), 0));
   EXPECT_EQ(ValueOf(report, "match began"), "nowhere: it stays as predicted");
 }
 

@@ -227,8 +227,7 @@ TEST(Slam, OfScansWithoutReturnsFollowsOdometryAndMapsNothing) {
   EXPECT_EQ(recording.step(7).outcome, StepOutcome::kNoReturns);
   const Pose2 odometry_motion =
       OdometryOfScan(log, 0)->odom_from_base.Inverse() * OdometryOfScan(log, 19)->odom_from_base;
-  EXPECT_THAT(StateAfterStep(recording, 19).global_from_base,
-              PoseNear(odometry_motion, 2e-5, 2e-5))
+  EXPECT_THAT(StateAfterStep(recording, 19).global_from_base, PoseNear(odometry_motion, 2e-5, 2e-5))
       << "but for rounding at each scan";
 }
 
