@@ -12,8 +12,8 @@ namespace {
 /// Larger ones ask for matchers less often, but keep the threads waiting for longer.
 constexpr std::size_t kBatchSize = 32;
 
-/// Of precomputed grids that are kept: those of some 30 submaps.
-constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
+/// Of grids and precomputed grids that are kept: those of some 30 submaps of a building.
+constexpr std::size_t kMaxBytes = std::size_t{80} << 20;
 
 /// Of a pose far from the one found that scores nearly as well; 0 if there is none.
 double RivalScore(const LoopCandidate& found, const PointCloud& points_in_node,
@@ -67,7 +67,7 @@ bool IsAtBorder(const LoopCandidate& found, double resolution) {
 }
 
 struct LoopSearch::SearchedSubmap {
-  ProbabilityGrid grid;
+  PackedGrid grid;
   double num_considered = 0.0;  ///< pairs, by their sampling shares
   int num_sampled = 0;
 };
@@ -113,8 +113,8 @@ LoopSearch::LoopSearch(const ConstraintBuilderOptions& options, int num_threads)
 
 LoopSearch::~LoopSearch() = default;
 
-void LoopSearch::AddSubmap(SubmapId id, ProbabilityGrid grid) {
-  submaps_.emplace(id, std::make_unique<SearchedSubmap>(SearchedSubmap{std::move(grid), 0.0, 0}));
+void LoopSearch::AddSubmap(SubmapId id, const ProbabilityGrid& grid) {
+  submaps_.emplace(id, std::make_unique<SearchedSubmap>(SearchedSubmap{PackedGrid(grid), 0.0, 0}));
 }
 
 void LoopSearch::Consider(const LoopCandidate& candidate,
@@ -145,11 +145,12 @@ void LoopSearch::Search(LoopCandidate* candidate, std::shared_ptr<const RangeDat
 void LoopSearch::Begin(std::vector<Pair> batch) {
   if (batch.empty()) return;
   const SubmapId id = batch.front().candidate->submap;
-  const ProbabilityGrid* const grid = &submaps_.at(id)->grid;
+  const PackedGrid* const grid = &submaps_.at(id)->grid;
   pool_.Add([this, id, grid, pairs = std::move(batch)] {
-    const auto matcher = matchers_.MatcherOf(id, *grid);
+    const auto searchable = matchers_.SearchableOf(id, *grid);
     for (const Pair& pair : pairs) {
-      *pair.candidate = SearchLoop(*pair.candidate, *pair.scan_in_node, *grid, *matcher, options_);
+      *pair.candidate = SearchLoop(*pair.candidate, *pair.scan_in_node, searchable->grid,
+                                   searchable->matcher, options_);
     }
     matchers_.Trim();
   });

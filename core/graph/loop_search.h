@@ -41,7 +41,7 @@ class LoopSearch {
   ~LoopSearch();
 
   /// Makes a finished submap known.
-  void AddSubmap(SubmapId id, ProbabilityGrid grid);
+  void AddSubmap(SubmapId id, const ProbabilityGrid& grid);
 
   /// Searches the pair of `candidate`, or leaves it if it is not its turn by sampling_ratio, where
   /// it counts as `sampling_share` of a pair.

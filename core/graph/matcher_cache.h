@@ -9,31 +9,44 @@
 #include <mutex>
 
 #include "core/geometry/id.h"
-#include "core/grid/probability_grid.h"
+#include "core/grid/packed_grid.h"
 #include "core/matching/branch_and_bound.h"
 
 namespace loopscope {
 
-/// Matchers of the submaps that were searched last, for their precomputed grids take time to make
-/// and more memory than all else. What is kept changes no result. May be used by several threads.
+/// A finished submap made ready to be searched.
+struct SearchableGrid {
+  SearchableGrid(ProbabilityGrid unpacked, int depth)
+      : grid(std::move(unpacked)), matcher(grid, depth) {}
+
+  std::size_t num_bytes() const {
+    return grid.cells().size() * sizeof(CellValue) + matcher.num_bytes();
+  }
+
+  ProbabilityGrid grid;
+  BranchAndBoundMatcher matcher;
+};
+
+/// Grids and matchers of the submaps that were searched last, for their precomputed grids take time
+/// to make and more memory than all else. What is kept changes no result. May be used by several
+/// threads.
 class MatcherCache {
  public:
-  /// `max_bytes` of precomputed grids are kept at most, `depth` is that of the matchers.
+  /// `max_bytes` are kept at most, `depth` is that of the matchers.
   MatcherCache(std::size_t max_bytes, int depth) : max_bytes_(max_bytes), depth_(depth) {}
 
-  /// Makes a matcher if none is kept. `grid` is that of the submap, and always the same.
-  std::shared_ptr<const BranchAndBoundMatcher> MatcherOf(SubmapId submap,
-                                                         const ProbabilityGrid& grid);
+  /// Makes one if none is kept. `grid` is that of the submap, and always the same.
+  std::shared_ptr<const SearchableGrid> SearchableOf(SubmapId submap, const PackedGrid& grid);
 
-  /// Drops the matchers that were not asked for the longest, until the others fit. To be called
-  /// after searches, which let matchers grow.
+  /// Drops those that were not asked for the longest, until the others fit. To be called after
+  /// searches, which let matchers grow.
   void Trim();
 
-  std::size_t num_kept() const { return matchers_.size(); }
+  std::size_t num_kept() const { return kept_.size(); }
 
  private:
   struct Kept {
-    std::shared_ptr<const BranchAndBoundMatcher> matcher;
+    std::shared_ptr<const SearchableGrid> searchable;
     std::list<SubmapId>::iterator use;
   };
 
@@ -41,7 +54,7 @@ class MatcherCache {
   int depth_;
   std::mutex mutex_;
   std::list<SubmapId> uses_;  ///< those kept, the last one asked for first
-  std::map<SubmapId, Kept> matchers_;
+  std::map<SubmapId, Kept> kept_;
 };
 
 }  // namespace loopscope

@@ -98,10 +98,10 @@ void PoseGraph::AddConsecutive(NodeId id) {
   }
 }
 
-void PoseGraph::FinishSubmap(SubmapId id, ProbabilityGrid grid, int step) {
+void PoseGraph::FinishSubmap(SubmapId id, const ProbabilityGrid& grid, int step) {
   submaps_[id.index].min_loop_score = MinLoopScoreOf(id, grid);
   submaps_[id.index].seen.emplace(grid);
-  loop_search_.AddSubmap(id, std::move(grid));
+  loop_search_.AddSubmap(id, grid);
   finished_submaps_.push_back(id);
   finished_places_.Add(id.index, CenterOf(id));
   max_submap_radius_ =

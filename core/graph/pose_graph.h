@@ -37,7 +37,7 @@ class PoseGraph {
   void AddNode(const NodeData& node, int step);
 
   /// Considers the submap for loops with all nodes that do not lie in it.
-  void FinishSubmap(SubmapId id, ProbabilityGrid grid, int step);
+  void FinishSubmap(SubmapId id, const ProbabilityGrid& grid, int step);
 
   /// Whether enough nodes came since the last optimization.
   bool OptimizationIsDue() const;

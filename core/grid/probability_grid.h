@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "core/grid/cell.h"
@@ -15,6 +16,10 @@ class ProbabilityGrid {
  public:
   /// `resolution` r is the edge of a cell [m].
   explicit ProbabilityGrid(double resolution) : resolution_(resolution) {}
+
+  /// `cells` are row-major over `box`, lowest y first.
+  ProbabilityGrid(double resolution, const CellBox& box, std::vector<CellValue> cells)
+      : resolution_(resolution), box_(box), cells_(std::move(cells)) {}
 
   double resolution() const { return resolution_; }
   const CellBox& box() const { return box_; }

@@ -82,7 +82,7 @@ void Slam::AddNode(int scan, const LocalSlamResult& local, SlamUpdate* update) {
 
 void Slam::FinishSubmap(int scan, ActiveSubmap finished, SlamUpdate* update) {
   update->finished_submap = finished.id;
-  pose_graph_.FinishSubmap(finished.id, std::move(finished.grid), scan);
+  pose_graph_.FinishSubmap(finished.id, finished.grid, scan);
 }
 
 Optimization Slam::Optimize(int scan) {
