@@ -2,19 +2,56 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sensor/voxel_filter.h"
 
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <unordered_set>
+#include <utility>
+#include <vector>
 
 namespace loopscope {
 namespace {
 
+/// std::floor is a call of a function on plain x86-64.
+std::int32_t FloorToInt32(double value) {
+  const auto truncated = static_cast<std::int32_t>(value);
+  return truncated - (value < truncated ? 1 : 0);
+}
+
 std::uint64_t VoxelKey(const Eigen::Vector2d& point, double voxel_size) {
-  const auto x = static_cast<std::int32_t>(std::floor(point.x() / voxel_size));
-  const auto y = static_cast<std::int32_t>(std::floor(point.y() / voxel_size));
+  const std::int32_t x = FloorToInt32(point.x() / voxel_size);
+  const std::int32_t y = FloorToInt32(point.y() / voxel_size);
   return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(x)) << 32) |
          static_cast<std::uint32_t>(y);
 }
+
+/// The voxels that were taken, of a known number at most: a table with open addresses, for filters
+/// are run a dozen times for each scan.
+class VoxelSet {
+ public:
+  explicit VoxelSet(std::size_t max_size) {
+    while ((std::size_t{1} << log_size_) < 2 * max_size) ++log_size_;
+    slots_.resize(std::size_t{1} << log_size_, 0);
+    keys_.reserve(max_size);
+  }
+
+  /// Whether it is new.
+  bool Insert(std::uint64_t key) {
+    constexpr std::uint64_t kGoldenRatio = 0x9e3779b97f4a7c15;
+    const std::size_t mask = slots_.size() - 1;
+    for (std::size_t i = (key * kGoldenRatio) >> (64 - log_size_);; i = (i + 1) & mask) {
+      if (slots_[i] == 0) {
+        keys_.push_back(key);
+        slots_[i] = static_cast<std::uint32_t>(keys_.size());
+        return true;
+      }
+      if (keys_[slots_[i] - 1] == key) return false;
+    }
+  }
+
+ private:
+  int log_size_ = 1;
+  std::vector<std::uint32_t> slots_;  ///< number in keys_, from 1 on; 0 if free
+  std::vector<std::uint64_t> keys_;
+};
 
 PointCloud DropBeyond(const PointCloud& points, double max_range) {
   PointCloud near;
@@ -28,12 +65,11 @@ PointCloud DropBeyond(const PointCloud& points, double max_range) {
 }  // namespace
 
 PointCloud VoxelFilter(const PointCloud& points, double voxel_size) {
-  std::unordered_set<std::uint64_t> taken;
-  taken.reserve(2 * points.size());
+  VoxelSet taken(points.size());
   PointCloud kept;
   kept.reserve(points.size());
   for (const Eigen::Vector2d& point : points) {
-    if (taken.insert(VoxelKey(point, voxel_size)).second) kept.push_back(point);
+    if (taken.Insert(VoxelKey(point, voxel_size))) kept.push_back(point);
   }
   return kept;
 }
