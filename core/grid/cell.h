@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include "core/geometry/floor_to_int.h"
+
 namespace loopscope {
 
 /// A grid point k of the lattice rZ x rZ that is fixed to a submap's frame: it stands at r * (x, y)
@@ -17,12 +19,6 @@ struct CellIndex {
 
 inline bool operator==(CellIndex a, CellIndex b) { return a.x == b.x && a.y == b.y; }
 inline bool operator!=(CellIndex a, CellIndex b) { return !(a == b); }
-
-/// std::floor, which is a call of a function on plain x86-64.
-inline int FloorToInt(double value) {
-  const int truncated = static_cast<int>(value);
-  return truncated - (value < truncated ? 1 : 0);
-}
 
 /// The cell whose pixel holds `point` [m].
 inline CellIndex CellOf(const Eigen::Vector2d& point, double resolution) {

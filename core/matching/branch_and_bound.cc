@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <queue>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "core/matching/block_sums.h"
 #include "core/matching/precomputed_grids.h"
+#include "core/matching/search_block.h"
 #include "core/matching/search_lattice.h"
 #include "core/matching/sector_queue.h"
+#include "core/matching/start_queue.h"
 
 namespace loopscope {
 namespace {
@@ -23,59 +23,6 @@ namespace {
 constexpr int kHeightsPerBranch = 3;
 static_assert(1 << kHeightsPerBranch == kBlocksPerSide);
 
-/// A node c of eqs. 11 and 12 with its bound.
-struct Block {
-  CellIndex offset;
-  int angle_index = 0;
-  int height = 0;
-  int sum = 0;  ///< of 8-bit values, the bound of eq. 16
-  int trace_index = -1;
-
-  /// Of start nodes: the first to be branched is the greatest.
-  friend bool operator<(const Block& a, const Block& b) {
-    return std::tuple(a.sum, -a.angle_index, -a.offset.y, -a.offset.x) <
-           std::tuple(b.sum, -b.angle_index, -b.offset.y, -b.offset.x);
-  }
-};
-
-/// The 8 x 8 start nodes of a square at one angle, from which the best is taken again and again.
-struct StartSquare {
-  CellIndex first;
-  int angle_index = 0;
-  int height = 0;
-  int num_rows = 0;
-  int num_columns = 0;
-  BlockSums sums;
-
-  /// The sum of those that were taken is less than any other.
-  int MaxSum() const { return MaxOfBlocks(sums, 0, num_rows, num_columns); }
-
-  /// The first with the greatest sum.
-  Block Best(int max_sum) const {
-    int place = 0;
-    while (sums[place] != max_sum || place % kBlocksPerSide >= num_columns) ++place;
-    return {{first.x + (place % kBlocksPerSide << height),
-             first.y + (place / kBlocksPerSide << height)},
-            angle_index,
-            height,
-            max_sum,
-            -1};
-  }
-
-  void Take(const Block& block) {
-    sums[((block.offset.y - first.y) >> height) * kBlocksPerSide +
-         ((block.offset.x - first.x) >> height)] = -1;
-  }
-};
-
-/// A start node that is the best of its square.
-struct StartNode {
-  Block block;
-  int square = -1;  ///< -1 if it comes by itself
-
-  friend bool operator<(const StartNode& a, const StartNode& b) { return a.block < b.block; }
-};
-
 /// Offsets of a window that are not of interest.
 struct Disc {
   Eigen::Vector2d center;  ///< [cells]
@@ -83,7 +30,7 @@ struct Disc {
 
   bool Holds(double x, double y) const { return (Eigen::Vector2d(x, y) - center).norm() <= radius; }
   /// A disc is convex, so it holds a block if it holds its corners.
-  bool Holds(const Block& block) const {
+  bool Holds(const SearchBlock& block) const {
     const int x = block.offset.x;
     const int y = block.offset.y;
     const int last = (1 << block.height) - 1;
@@ -108,7 +55,7 @@ class Search {
   SearchOutcome Run(double min_score) {
     SetMinScore(min_score);
     MakeSectors();
-    while (const std::optional<Block> block = NextStartBlock()) Branch(*block);
+    while (const std::optional<SearchBlock> block = NextStartBlock()) Branch(*block);
     if (trace_ != nullptr) PruneRest();
     if (!winner_) {
       OpenSectorsDownTo(pruned_sum_);
@@ -123,8 +70,8 @@ class Search {
   std::optional<SearchResult> RunOutside(const Disc& excluded, double min_score) {
     SetMinScore(min_score);
     MakeSectors();
-    while (const std::optional<Block> block = NextStartBlock()) {
-      const std::optional<Block> found = FirstLeafOutside({*block}, excluded);
+    while (const std::optional<SearchBlock> block = NextStartBlock()) {
+      const std::optional<SearchBlock> found = FirstLeafOutside({*block}, excluded);
       if (found) return ResultOf(*found);
     }
     return std::nullopt;
@@ -141,22 +88,13 @@ class Search {
   }
 
   /// The start node with the highest bound, if that beats the best score.
-  std::optional<Block> NextStartBlock() {
-    OpenSectorsDownTo(start_nodes_.empty() ? best_sum_ + 1
-                                           : std::max(best_sum_ + 1, start_nodes_.top().block.sum));
-    if (start_nodes_.empty()) return std::nullopt;
-    if (start_nodes_.top().block.sum <= best_sum_) {
-      pruned_sum_ = std::max(pruned_sum_, start_nodes_.top().block.sum);
-      return std::nullopt;
-    }
-    const StartNode next = start_nodes_.top();
-    start_nodes_.pop();
-    if (next.square >= 0) {
-      StartSquare& square = squares_[next.square];
-      square.Take(next.block);
-      start_nodes_.push({square.Best(square.MaxSum()), next.square});
-    }
-    return next.block;
+  std::optional<SearchBlock> NextStartBlock() {
+    const int min_bound = best_sum_ + 1;
+    OpenSectorsDownTo(queue_.empty() ? min_bound : std::max(min_bound, queue_.top().sum));
+    if (queue_.empty()) return std::nullopt;
+    if (queue_.top().sum >= min_bound) return queue_.Pop();
+    pruned_sum_ = std::max(pruned_sum_, queue_.top().sum);
+    return std::nullopt;
   }
 
   /// Gives those start nodes bounds of their own that are in sectors with at least `min_bound`, and
@@ -166,15 +104,15 @@ class Search {
       for (int angle = sector->first_angle; angle <= sector->last_angle; ++angle) {
         AddStartNodes(*sector, angle);
       }
-      if (!start_nodes_.empty()) min_bound = std::max(min_bound, start_nodes_.top().block.sum);
+      if (!queue_.empty()) min_bound = std::max(min_bound, queue_.top().sum);
     }
   }
 
   void AddStartNodes(const Sector& sector, int angle_index) {
     if (trace_ != nullptr) {
-      std::vector<Block> blocks;
+      std::vector<SearchBlock> blocks;
       ScoreSquare(sector.first, sector.last, angle_index, start_height_, -1, &blocks);
-      for (const Block& block : blocks) start_nodes_.push({block, -1});
+      for (const SearchBlock& block : blocks) queue_.Push(block);
       return;
     }
     StartSquare square;
@@ -186,15 +124,11 @@ class Search {
     square.sums = SumBlocks(grids_.at_height(start_height_), CellsAt(angle_index), sector.first,
                             square.num_rows);
     const int max_sum = square.MaxSum();
-    if (max_sum >= best_start_.sum) {
-      best_start_ = std::max(best_start_, square.Best(max_sum));
-    }
-    if (max_sum <= best_sum_) {
-      pruned_sum_ = std::max(pruned_sum_, max_sum);
-      return;
-    }
-    squares_.push_back(square);
-    start_nodes_.push({square.Best(max_sum), static_cast<int>(squares_.size()) - 1});
+    if (max_sum <= best_sum_) pruned_sum_ = std::max(pruned_sum_, max_sum);
+    if (max_sum <= best_sum_ && max_sum < best_start_.sum) return;
+    const SearchBlock best = square.Best(max_sum);
+    best_start_ = std::max(best_start_, best);
+    if (max_sum > best_sum_) queue_.Push(square, best);
   }
 
   /// Where bounds begin to tell places apart. Higher ones are nearly always as high as can be.
@@ -204,7 +138,7 @@ class Search {
   }
 
   /// Branches (eq. 14) a node whose bound beats the best score, and its children, best first.
-  void Branch(const Block& block) {
+  void Branch(const SearchBlock& block) {
     if (block.height == 0) {
       Decide(block, SearchFate::kImproved);
       best_sum_ = block.sum;
@@ -213,7 +147,7 @@ class Search {
       return;
     }
     Decide(block, SearchFate::kExpanded);
-    for (const Block& child : Children(block)) {
+    for (const SearchBlock& child : Children(block)) {
       if (child.sum > best_sum_) {
         Branch(child);
       } else {
@@ -223,25 +157,23 @@ class Search {
   }
 
   void PruneRest() {
-    for (; !start_nodes_.empty(); start_nodes_.pop()) {
-      Decide(start_nodes_.top().block, SearchFate::kPruned);
-    }
+    while (!queue_.empty()) Decide(queue_.Pop(), SearchFate::kPruned);
   }
 
-  std::optional<Block> FirstLeafOutside(const std::vector<Block>& blocks, const Disc& excluded) {
-    for (const Block& block : blocks) {
+  std::optional<SearchBlock> FirstLeafOutside(const std::vector<SearchBlock>& blocks, const Disc& excluded) {
+    for (const SearchBlock& block : blocks) {
       if (excluded.Holds(block)) continue;
       if (block.height == 0) return block;
-      const std::optional<Block> found = FirstLeafOutside(Children(block), excluded);
+      const std::optional<SearchBlock> found = FirstLeafOutside(Children(block), excluded);
       if (found) return found;
     }
     return std::nullopt;
   }
 
-  std::vector<Block> Children(const Block& parent) {
+  std::vector<SearchBlock> Children(const SearchBlock& parent) {
     const int w = window_.num_linear_steps;
     const int last = (1 << parent.height) - 1;
-    std::vector<Block> children;
+    std::vector<SearchBlock> children;
     ScoreSquare(
         parent.offset, {std::min(parent.offset.x + last, w), std::min(parent.offset.y + last, w)},
         parent.angle_index, parent.height - kHeightsPerBranch, parent.trace_index, &children);
@@ -252,7 +184,7 @@ class Search {
   /// Adds those of the 8 x 8 blocks from `first` on to `blocks` that begin at `last` or before. But
   /// for a trace, those that do not beat the best score are left out.
   void ScoreSquare(CellIndex first, CellIndex last, int angle_index, int height, int parent,
-                   std::vector<Block>* blocks) {
+                   std::vector<SearchBlock>* blocks) {
     const int num_rows = NumBlocks(first.y, last.y, height);
     const int num_columns = NumBlocks(first.x, last.x, height);
     const BlockSums sums =
@@ -282,7 +214,7 @@ class Search {
     return cells;
   }
 
-  void Add(Block block, int parent, std::vector<Block>* blocks) {
+  void Add(SearchBlock block, int parent, std::vector<SearchBlock>* blocks) {
     if (block.sum <= best_sum_) pruned_sum_ = std::max(pruned_sum_, block.sum);
     if (block.height == start_height_ && best_start_ < block) best_start_ = block;
     if (trace_ != nullptr) {
@@ -295,15 +227,15 @@ class Search {
 
   /// Where the bounds are highest, without regard to the best score: a fair answer to "how well
   /// would it have matched" for a search that found nothing.
-  Block DescendToLeaf() {
+  SearchBlock DescendToLeaf() {
     trace_ = nullptr;
     best_sum_ = -1;
-    Block block = best_start_;
+    SearchBlock block = best_start_;
     while (block.height > 0) block = Children(block).front();
     return block;
   }
 
-  void Decide(const Block& block, SearchFate fate) {
+  void Decide(const SearchBlock& block, SearchFate fate) {
     if (trace_ == nullptr) return;
     SearchNode& node = trace_->nodes[block.trace_index];
     node.fate = fate;
@@ -324,13 +256,13 @@ class Search {
 
   double ScoreOf(int sum) const { return PrecomputedGrids::MeanProbability(sum, num_points_); }
 
-  SearchResult ResultOf(const Block& leaf) const {
+  SearchResult ResultOf(const SearchBlock& leaf) const {
     return {PoseInWindow(window_, leaf.offset, leaf.angle_index), ScoreOf(leaf.sum)};
   }
 
-  static void SortByBound(std::vector<Block>* blocks) {
+  static void SortByBound(std::vector<SearchBlock>* blocks) {
     std::stable_sort(blocks->begin(), blocks->end(),
-                     [](const Block& a, const Block& b) { return a.sum > b.sum; });
+                     [](const SearchBlock& a, const SearchBlock& b) { return a.sum > b.sum; });
   }
 
   const PrecomputedGrids& grids_;
@@ -341,14 +273,12 @@ class Search {
   std::vector<std::vector<CellIndex>> cells_at_angle_;  ///< empty until they are needed
   int start_height_ = 0;
   std::optional<SectorQueue> sectors_;  ///< whose start nodes have no bounds of their own yet
-  std::vector<StartSquare> squares_;
-  std::priority_queue<StartNode>
-      start_nodes_;                     ///< those that have, but for others of their squares
-  Block best_start_{{}, 0, 0, -1, -1};  ///< the start node with the highest bound
+  StartQueue queue_;                    ///< those that have
+  SearchBlock best_start_{{}, 0, 0, -1, -1};  ///< the start node with the highest bound
   int best_sum_ = -1;
   double best_score_ = 0.0;
   int pruned_sum_ = 0;  ///< the highest bound that was not followed
-  std::optional<Block> winner_;
+  std::optional<SearchBlock> winner_;
 };
 
 /// Half the side of a square around the centre of `box` that holds it.

@@ -7,18 +7,14 @@
 #include <utility>
 #include <vector>
 
+#include "core/geometry/floor_to_int.h"
+
 namespace loopscope {
 namespace {
 
-/// std::floor is a call of a function on plain x86-64.
-std::int32_t FloorToInt32(double value) {
-  const auto truncated = static_cast<std::int32_t>(value);
-  return truncated - (value < truncated ? 1 : 0);
-}
-
 std::uint64_t VoxelKey(const Eigen::Vector2d& point, double voxel_size) {
-  const std::int32_t x = FloorToInt32(point.x() / voxel_size);
-  const std::int32_t y = FloorToInt32(point.y() / voxel_size);
+  const int x = FloorToInt(point.x() / voxel_size);
+  const int y = FloorToInt(point.y() / voxel_size);
   return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(x)) << 32) |
          static_cast<std::uint32_t>(y);
 }
