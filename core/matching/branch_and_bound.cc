@@ -160,7 +160,8 @@ class Search {
     while (!queue_.empty()) Decide(queue_.Pop(), SearchFate::kPruned);
   }
 
-  std::optional<SearchBlock> FirstLeafOutside(const std::vector<SearchBlock>& blocks, const Disc& excluded) {
+  std::optional<SearchBlock> FirstLeafOutside(const std::vector<SearchBlock>& blocks,
+                                              const Disc& excluded) {
     for (const SearchBlock& block : blocks) {
       if (excluded.Holds(block)) continue;
       if (block.height == 0) return block;
@@ -272,8 +273,8 @@ class Search {
   SearchTrace* trace_;
   std::vector<std::vector<CellIndex>> cells_at_angle_;  ///< empty until they are needed
   int start_height_ = 0;
-  std::optional<SectorQueue> sectors_;  ///< whose start nodes have no bounds of their own yet
-  StartQueue queue_;                    ///< those that have
+  std::optional<SectorQueue> sectors_;        ///< whose start nodes have no bounds of their own yet
+  StartQueue queue_;                          ///< those that have
   SearchBlock best_start_{{}, 0, 0, -1, -1};  ///< the start node with the highest bound
   int best_sum_ = -1;
   double best_score_ = 0.0;

@@ -9,11 +9,8 @@ SearchBlock StartSquare::Best(int max_sum) const {
   while (sums[place] != max_sum || place % kBlocksPerSide >= num_columns) ++place;
   const int column = place % kBlocksPerSide;
   const int row = place / kBlocksPerSide;
-  return {{first.x + (column << height), first.y + (row << height)},
-          angle_index,
-          height,
-          max_sum,
-          -1};
+  return {
+      {first.x + (column << height), first.y + (row << height)}, angle_index, height, max_sum, -1};
 }
 
 void StartQueue::Push(const StartSquare& square, const SearchBlock& best) {

@@ -51,9 +51,8 @@ TEST(StartQueue, GivesAllStartNodesTheGreatestFirst) {
     const SearchBlock alone{{100, 100}, 9, 3, 4, 17};
     queue.Push(alone);
     expected.push_back(alone);
-    std::sort(expected.begin(), expected.end(), [](const SearchBlock& a, const SearchBlock& b) {
-      return KeyOf(a) < KeyOf(b);
-    });
+    std::sort(expected.begin(), expected.end(),
+              [](const SearchBlock& a, const SearchBlock& b) { return KeyOf(a) < KeyOf(b); });
     for (const SearchBlock& block : expected) {
       ASSERT_FALSE(queue.empty());
       EXPECT_EQ(KeyOf(queue.top()), KeyOf(block));
