@@ -46,6 +46,11 @@ TEST(PackedGrid, GivesEmptyAndUnknownGridsBack) {
   EXPECT_LT(PackedGrid(unknown).num_bytes(), 20u);
 }
 
+TEST(PackedGrid, GivesMoreCellsOfOneValueBackThanACountCanSay) {
+  const CellBox box{{5, -3}, 70000, 1};
+  ExpectSameBack(ProbabilityGrid(0.1, box, std::vector<CellValue>(70000, 12345)));
+}
+
 TEST(PackedGrid, TakesLessThanTwoBytesForAKnownCell) {
   const SimulatedRoom room;
   const ProbabilityGrid& grid = room.grid();

@@ -57,7 +57,7 @@ void ExpectSameBack(const std::vector<Step>& steps) {
 TEST(StepPoseCodec, GivesRoundedPosesBackInFewBytes) {
   const std::vector<Step> steps = SomeSteps(true);
   ExpectSameBack(steps);
-  EXPECT_LT(Packed(steps).size(), 24 * steps.size());
+  EXPECT_LT(Packed(steps).size(), 19 * steps.size()) << "no more than three bytes a number";
 }
 
 TEST(StepPoseCodec, GivesAnyPosesBack) {
