@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "render/layers/map_image.h"
 #include "render/parallel.h"
 
 namespace loopscope {
@@ -35,6 +36,13 @@ std::vector<Row> RowsOf(const std::vector<int>& submaps) {
 }
 
 }  // namespace
+
+DerivedCache::DerivedCache(const Recording& recording, std::size_t max_bytes)
+    : recording_(recording),
+      max_bytes_(max_bytes),
+      map_composer_(std::make_unique<MapComposer>()) {}
+
+DerivedCache::~DerivedCache() = default;
 
 std::vector<DerivedCache::Grid> DerivedCache::GridsOfState(const MapState& state) {
   std::vector<Key> keys;

@@ -15,6 +15,8 @@
 
 namespace loopscope {
 
+class MapComposer;
+
 /// Remembers what was derived of a recording, so that the next picture of it is there sooner. It
 /// changes no picture. It belongs to one thread at a time.
 class DerivedCache {
@@ -26,8 +28,8 @@ class DerivedCache {
 
   /// Keeps a reference to `recording`, which may grow meanwhile, and grids of up to `max_bytes`:
   /// those that were used last, and all of the last state whatever they take.
-  explicit DerivedCache(const Recording& recording, std::size_t max_bytes = kUsualMaxBytes)
-      : recording_(recording), max_bytes_(max_bytes) {}
+  explicit DerivedCache(const Recording& recording, std::size_t max_bytes = kUsualMaxBytes);
+  ~DerivedCache();
 
   const Recording& recording() const { return recording_; }
 
@@ -42,6 +44,9 @@ class DerivedCache {
   /// The search of the pair as ReplaySearch makes it, null where that gives nothing. The last one
   /// is kept.
   Search SearchOf(SubmapId submap, NodeId node);
+
+  /// For the map of all submaps.
+  MapComposer& map_composer() { return *map_composer_; }
 
  private:
   using Key = std::pair<int, int>;  // submap, number of its nodes
@@ -64,6 +69,7 @@ class DerivedCache {
   std::map<Key, Entry> grids_;
   std::pair<SubmapId, NodeId> searched_;
   Search search_;  // of `searched_`
+  std::unique_ptr<MapComposer> map_composer_;
 };
 
 }  // namespace loopscope

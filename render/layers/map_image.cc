@@ -131,6 +131,17 @@ class CellWalk {
   std::int64_t height_;
 };
 
+bool AreSame(const PlacedGrid& a, const PlacedGrid& b) {
+  return a.grid == b.grid && a.map_from_grid == b.map_from_grid;
+}
+
+bool AreSame(const Raster& a, const Raster& b) {
+  return a.origin == b.origin && a.pixel_size == b.pixel_size && a.width == b.width &&
+         a.height == b.height;
+}
+
+}  // namespace
+
 /// Sums of log odds, shown in colours of a table.
 class LogOddsSum {
  public:
@@ -144,7 +155,46 @@ class LogOddsSum {
     }
   }
 
-  void Add(const Patch& patch) {
+  const Raster& raster() const { return raster_; }
+
+  /// Adds grids from `first` to before `last`.
+  void Add(const PlacedGrid* first, const PlacedGrid* last) {
+    const int count = static_cast<int>(last - first);
+    // Points no farther apart than a pixel's edge / sqrt(2) miss no pixel, and likewise with cells.
+    const bool small_pixels = std::all_of(first, last, [&](const PlacedGrid& grid) {
+      return raster_.pixel_size / grid.grid->resolution() < M_SQRT1_2;
+    });
+    if (small_pixels) {
+      std::vector<CellBox> pixels(count);
+      ParallelFor(count, [&](int i) { pixels[i] = PixelsOf(first[i], raster_); });
+      constexpr int kRowsOfBand = 32;
+      ParallelFor((raster_.height + kRowsOfBand - 1) / kRowsOfBand, [&](int band) {
+        const CellBox rows{{0, band * kRowsOfBand}, raster_.width, kRowsOfBand};
+        for (int i = 0; i < count; ++i) AddFromPixels(first[i], Intersection(pixels[i], rows));
+      });
+    } else {
+      std::vector<Patch> patches(count);
+      ParallelFor(count, [&](int i) { patches[i] = MakePatch(first[i], raster_); });
+      for (const Patch& patch : patches) AddPatch(patch);
+    }
+  }
+
+  CellImage ToImage(const MapColors& colors) const {
+    const std::vector<Color> table = ColorTable(colors);
+    CellImage image({{0, 0}, raster_.width, raster_.height});
+    std::size_t i = 0;
+    for (int y = 0; y < raster_.height; ++y) {
+      for (int x = 0; x < raster_.width; ++x, ++i) {
+        if (known_[i]) image.Set({x, y}, table[TableIndex(sums_[i])]);
+      }
+    }
+    return image;
+  }
+
+ private:
+  static constexpr int kTableSize = 1024;
+
+  void AddPatch(const Patch& patch) {
     for (int y = 0; y < patch.box.height; ++y) {
       const std::size_t row =
           static_cast<std::size_t>(patch.box.min.y + y) * raster_.width + patch.box.min.x;
@@ -177,21 +227,6 @@ class LogOddsSum {
     }
   }
 
-  CellImage ToImage(const MapColors& colors) const {
-    const std::vector<Color> table = ColorTable(colors);
-    CellImage image({{0, 0}, raster_.width, raster_.height});
-    std::size_t i = 0;
-    for (int y = 0; y < raster_.height; ++y) {
-      for (int x = 0; x < raster_.width; ++x, ++i) {
-        if (known_[i]) image.Set({x, y}, table[TableIndex(sums_[i])]);
-      }
-    }
-    return image;
-  }
-
- private:
-  static constexpr int kTableSize = 1024;
-
   /// Colours of log odds from certainly free to certainly occupied.
   static std::vector<Color> ColorTable(const MapColors& colors) {
     const double max_log_odds = std::log(Odds(kMaxProbability));
@@ -208,13 +243,11 @@ class LogOddsSum {
     return std::clamp(static_cast<int>(share * (kTableSize - 1) + 0.5f), 0, kTableSize - 1);
   }
 
-  const Raster& raster_;
+  Raster raster_;
   std::vector<float> sums_;
   std::vector<std::uint8_t> known_;
   std::vector<float> log_odds_;  // by value; 0 for kUnknown
 };
-
-}  // namespace
 
 Raster RasterFor(const FlatCamera& camera, const Box& frame, double resolution) {
   Raster raster;
@@ -227,33 +260,33 @@ Raster RasterFor(const FlatCamera& camera, const Box& frame, double resolution) 
   return raster;
 }
 
-CellImage ComposeMap(const std::vector<PlacedGrid>& grids, const Raster& raster,
-                     const MapColors& colors) {
-  LogOddsSum sum(raster);
-  // Points no farther apart than a pixel's edge / sqrt(2) miss no pixel, and likewise with cells.
-  const bool small_pixels = std::all_of(grids.begin(), grids.end(), [&](const PlacedGrid& grid) {
-    return raster.pixel_size / grid.grid->resolution() < M_SQRT1_2;
-  });
-  const int count = static_cast<int>(grids.size());
-  if (small_pixels) {
-    std::vector<CellBox> pixels(grids.size());
-    ParallelFor(count, [&](int i) { pixels[i] = PixelsOf(grids[i], raster); });
-    constexpr int kRowsOfBand = 32;
-    ParallelFor((raster.height + kRowsOfBand - 1) / kRowsOfBand, [&](int band) {
-      const CellBox rows{{0, band * kRowsOfBand}, raster.width, kRowsOfBand};
-      for (int i = 0; i < count; ++i) sum.AddFromPixels(grids[i], Intersection(pixels[i], rows));
-    });
-  } else {
-    std::vector<Patch> patches(grids.size());
-    ParallelFor(count, [&](int i) { patches[i] = MakePatch(grids[i], raster); });
-    for (const Patch& patch : patches) sum.Add(patch);
+MapComposer::MapComposer() = default;
+
+MapComposer::~MapComposer() = default;
+
+CellImage MapComposer::Compose(const std::vector<PlacedGrid>& grids, const Raster& raster,
+                               const MapColors& colors) {
+  constexpr std::size_t kMaxGrowing = 2;  // submaps into which scans are inserted
+  const auto same = [](const PlacedGrid& a, const PlacedGrid& b) { return AreSame(a, b); };
+  const bool goes_on = sum_ && AreSame(sum_->raster(), raster) && kept_.size() <= grids.size() &&
+                       std::equal(kept_.begin(), kept_.end(), grids.begin(), same);
+  if (!goes_on) {
+    kept_.clear();
+    sum_ = std::make_unique<LogOddsSum>(raster);
   }
-  return sum.ToImage(colors);
+  const PlacedGrid* const end = grids.data() + grids.size();
+  const PlacedGrid* const rest =
+      grids.data() + std::max(kept_.size(), grids.size() - std::min(grids.size(), kMaxGrowing));
+  sum_->Add(grids.data() + kept_.size(), rest);
+  kept_.assign(grids.data(), rest);
+  LogOddsSum all = *sum_;
+  all.Add(rest, end);
+  return all.ToImage(colors);
 }
 
 vtkSmartPointer<vtkActor> MapLayer(const std::vector<PlacedGrid>& grids, const Raster& raster,
-                                   const MapColors& colors) {
-  return CellImageLayer(ComposeMap(grids, raster, colors), Pose2(raster.origin, 0.0),
+                                   const MapColors& colors, MapComposer* composer) {
+  return CellImageLayer(composer->Compose(grids, raster, colors), Pose2(raster.origin, 0.0),
                         raster.pixel_size);
 }
 

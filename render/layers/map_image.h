@@ -20,6 +20,8 @@ struct PlacedGrid {
   Pose2 map_from_grid;
 };
 
+class LogOddsSum;
+
 /// Pixels over a map: pixel (x, y) is a square around origin + size * (x, y).
 struct Raster {
   Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< [m]
@@ -31,14 +33,26 @@ struct Raster {
 /// The raster for a panel: its own pixels, or half cells of `resolution` where those are larger.
 Raster RasterFor(const FlatCamera& camera, const Box& frame, double resolution);
 
-/// All grids in one image. Their odds for a pixel are multiplied, as if they were independent
-/// observations (eq. 3); a grid has the highest odds of its known cells there, so that no wall is
-/// lost in a small picture. Pixels that no grid knows are clear.
-CellImage ComposeMap(const std::vector<PlacedGrid>& grids, const Raster& raster,
-                     const MapColors& colors);
+/// Puts all grids into one image. Their odds for a pixel are multiplied, as if they were
+/// independent observations (eq. 3); a grid has the highest odds of its known cells there, so that
+/// no wall is lost in a small picture. Pixels that no grid knows are clear. Most of the last image
+/// is remembered, which changes none: as a recording is stepped through, the grids of all submaps
+/// but the last two stay as they are until poses are optimized.
+class MapComposer {
+ public:
+  MapComposer();
+  ~MapComposer();
+
+  CellImage Compose(const std::vector<PlacedGrid>& grids, const Raster& raster,
+                    const MapColors& colors);
+
+ private:
+  std::vector<PlacedGrid> kept_;     ///< those that sum_ holds
+  std::unique_ptr<LogOddsSum> sum_;  ///< null at first
+};
 
 vtkSmartPointer<vtkActor> MapLayer(const std::vector<PlacedGrid>& grids, const Raster& raster,
-                                   const MapColors& colors);
+                                   const MapColors& colors, MapComposer* composer);
 
 /// Where the known cells of the grid lie in the map; empty if there are none.
 Extent ExtentOf(const PlacedGrid& grid);

@@ -101,7 +101,8 @@ void DrawSamples(const RunErrors& errors, double scale, Sheet* sheet) {
   Extent extent = ExtentOf(errors);
   extent.extend(ExtentOf(grids));
   sheet->Open(0, extent, grids.empty() ? sheet->palette().paper : colors.unknown);
-  if (!grids.empty()) DrawMap(grids, colors, sheet);
+  MapComposer composer;
+  if (!grids.empty()) DrawMap(grids, colors, &composer, sheet);
   const Color faint = sheet->palette().faint_ink;
   sheet->Add(0, LayerKind::kTrajectory, [&] {
     return TrajectoryLayer(errors.way, WithOpacity(faint, 0.4), sheet->Px(widths::kHairline));

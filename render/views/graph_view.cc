@@ -201,7 +201,7 @@ Scene BuildGraphView(DerivedCache* cache, const ViewRequest& request, int oversa
   Sheet sheet(request, oversampling, Describe(recording, graph),
               KeysOf(colors, palette, highlight));
   sheet.Open(0, ExtentOf(grids), colors.unknown);
-  DrawMap(grids, colors, &sheet);
+  DrawMap(grids, colors, &cache->map_composer(), &sheet);
   const bool is_selected = !highlight.empty() && sheet.Shows(LayerKind::kSelection);
   DrawConstraints(graph, is_selected ? 0.5 : 1.0, &sheet);
   DrawLinks(graph, highlight, &sheet);

@@ -73,7 +73,7 @@ Scene BuildMapView(DerivedCache* cache, const ViewRequest& request, int oversamp
   Sheet sheet(request, oversampling, Describe(recording, state, extent),
               KeysOf(colors, palette, highlight));
   sheet.Open(0, extent, colors.unknown);
-  DrawMap(grids, colors, &sheet);
+  DrawMap(grids, colors, &cache->map_composer(), &sheet);
   const PoseColors pose_colors{palette.trajectory, palette.trajectory, palette.ink,
                                WithOpacity(palette.paper, 0.7)};
   DrawPoses(state, pose_colors, DrawHighlight(highlight, pose_colors, &sheet), &sheet);

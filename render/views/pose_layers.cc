@@ -27,11 +27,13 @@ void DrawLabels(const MapState& state, const PoseColors& colors, const Written& 
 
 }  // namespace
 
-void DrawMap(const std::vector<PlacedGrid>& grids, const MapColors& colors, Sheet* sheet) {
+void DrawMap(const std::vector<PlacedGrid>& grids, const MapColors& colors, MapComposer* composer,
+             Sheet* sheet) {
   if (grids.empty()) return;
   const double resolution = grids.front().grid->resolution();
   sheet->Add(0, LayerKind::kGrid, [&] {
-    return MapLayer(grids, RasterFor(sheet->camera(0), sheet->frame(0), resolution), colors);
+    return MapLayer(grids, RasterFor(sheet->camera(0), sheet->frame(0), resolution), colors,
+                    composer);
   });
 }
 

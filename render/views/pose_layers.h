@@ -17,7 +17,8 @@ struct PoseColors {
 };
 
 /// All submaps, in the colours of the panel's map.
-void DrawMap(const std::vector<PlacedGrid>& grids, const MapColors& colors, Sheet* sheet);
+void DrawMap(const std::vector<PlacedGrid>& grids, const MapColors& colors, MapComposer* composer,
+             Sheet* sheet);
 
 /// What is said of the selection.
 struct Written {

@@ -120,12 +120,12 @@ Raster RasterOver(const Extent& extent, double meters_per_pixel, double resoluti
   return raster;
 }
 
-void DrawFloor(const Floor& floor, const MapColors& colors, Sheet* sheet) {
+void DrawFloor(const Floor& floor, const MapColors& colors, MapComposer* composer, Sheet* sheet) {
   if (floor.grids.empty()) return;
   sheet->Add(0, LayerKind::kGrid, [&] {
     const double resolution = floor.grids.front().grid->resolution();
     const double pixel = sheet->camera(0).meters_per_pixel;
-    return MapLayer(floor.grids, RasterOver(floor.extent, pixel, resolution), colors);
+    return MapLayer(floor.grids, RasterOver(floor.extent, pixel, resolution), colors, composer);
   });
   sheet->Add(0, LayerKind::kGrid, [&] {
     Shapes edge;
@@ -292,7 +292,7 @@ Scene BuildTimeView(DerivedCache* cache, const ViewRequest& request, int oversam
                  {"seconds since the first scan upwards",
                   fmt::format("azimuth {:g}°", RadiansToDegrees(side.azimuth)),
                   fmt::format("elevation {:g}°", RadiansToDegrees(side.elevation))});
-  DrawFloor(floor, colors, &sheet);
+  DrawFloor(floor, colors, &cache->map_composer(), &sheet);
   DrawGraph(graph, &sheet);
   DrawSelection(graph, SelectionOf(highlight), &sheet);
   DrawAxis(graph, floor, view_from_map, &sheet);

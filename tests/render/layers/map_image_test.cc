@@ -43,14 +43,14 @@ int NumDark(const CellImage& image) {
   return count;
 }
 
-class ComposeMapTest : public testing::TestWithParam<double> {};
+class MapComposerTest : public testing::TestWithParam<double> {};
 
-TEST_P(ComposeMapTest, NoTurnBreaksAWallOrTearsAHole) {
+TEST_P(MapComposerTest, NoTurnBreaksAWallOrTearsAHole) {
   const double pixel_size = GetParam() * kResolution;
   for (double turn = 0.0; turn < M_PI; turn += 0.1) {
     const Pose2 map_from_grid(0.01, -0.02, turn);
     const Raster raster = RasterOf(1.2, pixel_size);
-    const CellImage image = ComposeMap({{WallGrid(), map_from_grid}}, raster, kColors);
+    const CellImage image = MapComposer().Compose({{WallGrid(), map_from_grid}}, raster, kColors);
     for (int y = 0; y < raster.height; ++y) {
       for (int x = 0; x < raster.width; ++x) ASSERT_EQ(image.At({x, y}).a, 255) << turn;
     }
@@ -59,41 +59,63 @@ TEST_P(ComposeMapTest, NoTurnBreaksAWallOrTearsAHole) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(CellsAPixel, ComposeMapTest,
+INSTANTIATE_TEST_SUITE_P(CellsAPixel, MapComposerTest,
                          testing::Values(0.3, 0.5, 0.7, 0.72, 1.0, 1.4, 1.42, 2.0, 3.5, 8.0));
 
-TEST(ComposeMapSingleTest, PutsAGridAtItsPose) {
+TEST(MapComposerSingleTest, PutsAGridAtItsPose) {
   auto grid = std::make_shared<ProbabilityGrid>(kResolution);
   grid->GrowToInclude({{0, 0}, 1, 1});
   grid->Update({{0, 0}}, OddsUpdate(kMaxProbability));
   const Raster raster{{0.0, 0.0}, kResolution, 40, 40};
-  const CellImage image = ComposeMap({{grid, Pose2(1.0, 0.5, 0.3)}}, raster, kColors);
+  const CellImage image = MapComposer().Compose({{grid, Pose2(1.0, 0.5, 0.3)}}, raster, kColors);
   EXPECT_EQ(image.At({20, 10}), (Color{0, 0, 0}));
   EXPECT_EQ(image.At({21, 12}).a, 0);
   EXPECT_EQ(NumDark(image), 1);
 }
 
-TEST(ComposeMapSingleTest, MultipliesTheOddsOfOverlappingGrids) {
+TEST(MapComposerSingleTest, MultipliesTheOddsOfOverlappingGrids) {
   const std::vector<PlacedGrid> one{{WallGrid(), Pose2()}};
   const std::vector<PlacedGrid> two{{WallGrid(), Pose2()}, {WallGrid(), Pose2()}};
   const std::vector<PlacedGrid> crossed{{WallGrid(), Pose2()},
                                         {WallGrid(), Pose2(0.0, 0.0, DegreesToRadians(90.0))}};
   const Raster raster = RasterOf(1.05, kResolution);
   const CellIndex on_wall{3, 10};
-  EXPECT_LT(ComposeMap(two, raster, kColors).At(on_wall).r,
-            ComposeMap(one, raster, kColors).At(on_wall).r);
+  EXPECT_LT(MapComposer().Compose(two, raster, kColors).At(on_wall).r,
+            MapComposer().Compose(one, raster, kColors).At(on_wall).r);
   // Odds of 4 and of 1/4 cancel.
-  EXPECT_NEAR(ComposeMap(crossed, raster, kColors).At(on_wall).r, 127, 2);
+  EXPECT_NEAR(MapComposer().Compose(crossed, raster, kColors).At(on_wall).r, 127, 2);
 }
 
-TEST(ComposeMapSingleTest, LooksTheSameHoweverManyGridsThereAreElsewhere) {
+TEST(MapComposerSingleTest, LooksTheSameHoweverManyGridsThereAreElsewhere) {
   std::vector<PlacedGrid> grids;
   for (int i = 0; i < 10; ++i) grids.push_back({WallGrid(), Pose2(5.0 * i, 0.0, 0.2 * i)});
   const Raster raster = RasterOf(1.5, kResolution);
-  const CellImage all = ComposeMap(grids, raster, kColors);
-  const CellImage one = ComposeMap({grids[0]}, raster, kColors);
+  const CellImage all = MapComposer().Compose(grids, raster, kColors);
+  const CellImage one = MapComposer().Compose({grids[0]}, raster, kColors);
   for (int y = 0; y < raster.height; ++y) {
     for (int x = 0; x < raster.width; ++x) ASSERT_EQ(all.At({x, y}), one.At({x, y}));
+  }
+}
+
+TEST(MapComposerSingleTest, RemembersNothingThatIsNotSoAnyMore) {
+  std::vector<PlacedGrid> grids;
+  for (int i = 0; i < 6; ++i) grids.push_back({WallGrid(), Pose2(0.1 * i, 0.0, 0.2 * i)});
+  std::vector<PlacedGrid> moved = grids;
+  moved[1].map_from_grid = Pose2(0.0, 0.3, 0.1);
+  std::vector<PlacedGrid> grown = grids;
+  grown.back().grid = WallGrid();
+  grown.push_back({WallGrid(), Pose2(0.3, 0.1, 0.0)});
+  const std::vector<PlacedGrid> fewer(grids.begin(), grids.begin() + 3);
+  MapComposer composer;
+  for (const double cells_per_pixel : {0.5, 1.0}) {
+    const Raster raster = RasterOf(1.5, cells_per_pixel * kResolution);
+    for (const auto& next : {fewer, grids, grids, grown, moved, fewer, {}, grids}) {
+      const CellImage image = composer.Compose(next, raster, kColors);
+      const CellImage expected = MapComposer().Compose(next, raster, kColors);
+      for (int y = 0; y < raster.height; ++y) {
+        for (int x = 0; x < raster.width; ++x) ASSERT_EQ(image.At({x, y}), expected.At({x, y}));
+      }
+    }
   }
 }
 
