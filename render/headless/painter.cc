@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/headless/painter.h"
 
+#include <vector>
 #include <vtkNew.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -14,16 +15,23 @@ Picture ShrinkAndFlip(const std::uint8_t* pixels, int width, int height, int fac
   Picture picture{width / factor, height / factor, {}};
   picture.rgb.resize(3 * static_cast<std::size_t>(picture.width) * picture.height);
   const int count = factor * factor;
-  std::size_t out = 0;
+  std::vector<std::uint8_t> mean_of_sum(255 * count + 1);  // rounded; a division takes longer
+  for (int sum = 0; sum <= 255 * count; ++sum) {
+    mean_of_sum[sum] = static_cast<std::uint8_t>((sum + count / 2) / count);
+  }
+  const std::size_t row_size = 3 * static_cast<std::size_t>(width);
+  std::uint8_t* out = picture.rgb.data();
   for (int y = picture.height - 1; y >= 0; --y) {
-    for (int x = 0; x < 3 * picture.width; ++x) {
-      int sum = 0;
-      const std::size_t column = static_cast<std::size_t>(x / 3) * factor * 3 + x % 3;
-      for (int dy = 0; dy < factor; ++dy) {
-        const std::size_t row = static_cast<std::size_t>(y * factor + dy) * width * 3;
-        for (int dx = 0; dx < factor; ++dx) sum += pixels[row + column + 3 * dx];
+    const std::uint8_t* square = pixels + static_cast<std::size_t>(y) * factor * row_size;
+    for (int x = 0; x < picture.width; ++x, square += 3 * factor) {
+      for (int channel = 0; channel < 3; ++channel) {
+        int sum = 0;
+        for (int dy = 0; dy < factor; ++dy) {
+          const std::uint8_t* const row = square + dy * row_size + channel;
+          for (int dx = 0; dx < factor; ++dx) sum += row[3 * dx];
+        }
+        *out++ = mean_of_sum[sum];
       }
-      picture.rgb[out++] = static_cast<std::uint8_t>((sum + count / 2) / count);
     }
   }
   return picture;
