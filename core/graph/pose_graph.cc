@@ -58,9 +58,8 @@ void PoseGraph::ConsiderNearSubmaps(NodeId node, int step) {
 }
 
 void PoseGraph::ConsiderNearNodes(SubmapId submap, int step) {
-  const double radius = 0.5 * submaps_[submap.index].node_box.diagonal().norm();
   const std::vector<double>& ways = travel_graph_.WaysFrom(submap);
-  for (const int node : node_places_.Near(CenterOf(submap), radius + LoopReach())) {
+  for (const int node : node_places_.Near(CenterOf(submap), RadiusOf(submap) + LoopReach())) {
     Consider(submap, NodeId{node}, ways[nodes_[node].first_submap.index], step);
   }
 }
@@ -69,6 +68,10 @@ double PoseGraph::LoopReach() const { return MaxGateDistance(options_.constraint
 
 Eigen::Vector2d PoseGraph::CenterOf(SubmapId submap) const {
   return global_from_submap_[submap.index] * submaps_[submap.index].node_box.center();
+}
+
+double PoseGraph::RadiusOf(SubmapId submap) const {
+  return 0.5 * submaps_[submap.index].node_box.diagonal().norm();
 }
 
 void PoseGraph::AddWayTo(NodeId id) {
@@ -104,8 +107,7 @@ void PoseGraph::FinishSubmap(SubmapId id, const ProbabilityGrid& grid, int step)
   loop_search_.AddSubmap(id, grid);
   finished_submaps_.push_back(id);
   finished_places_.Add(id.index, CenterOf(id));
-  max_submap_radius_ =
-      std::max(max_submap_radius_, 0.5 * submaps_[id.index].node_box.diagonal().norm());
+  max_submap_radius_ = std::max(max_submap_radius_, RadiusOf(id));
   ConsiderNearNodes(id, step);
 }
 
@@ -188,14 +190,12 @@ void PoseGraph::TakeIn(std::vector<LoopCandidate>* candidates, int step) {
 }
 
 void PoseGraph::MeasureDrift(const std::vector<LoopCandidate>& candidates) {
-  std::map<SubmapId, std::vector<double>> ways;
   for (const LoopCandidate& loop : candidates) {
     if (loop.verdict != Verdict::kAccepted) continue;
-    std::vector<double>& ways_from_submap = ways[loop.submap];
-    if (ways_from_submap.empty()) ways_from_submap = travel_graph_.WaysFrom(loop.submap);
     const Pose2 guess =
         global_from_submap_[loop.submap.index].Inverse() * global_from_node_[loop.node.index];
-    const double way = ways_from_submap[nodes_[loop.node.index].first_submap.index];
+    const SubmapId node_submap = nodes_[loop.node.index].first_submap;
+    const double way = travel_graph_.WaysFrom(loop.submap)[node_submap.index];
     drift_shares_.push_back(
         DriftShareOf(guess, loop.submap_from_node, GateOf(loop.submap, guess, way)));
   }

@@ -107,6 +107,8 @@ class PoseGraph {
   double LoopReach() const;
   /// Of the box around its nodes, in the global frame.
   Eigen::Vector2d CenterOf(SubmapId submap) const;
+  /// [m] Of the circle around that box.
+  double RadiusOf(SubmapId submap) const;
   void IndexPlaces();
   /// Sets off a loop search for the pair if it is near enough; `way` [m] from TravelGraph.
   void Consider(SubmapId submap, NodeId node, double way, int step);

@@ -3,10 +3,9 @@
 #include "core/io/number_codec.h"
 
 #include <array>
-#include <cmath>
 #include <cstdint>
-#include <cstring>
-#include <optional>
+
+#include "core/io/multiples.h"
 
 namespace loopscope {
 namespace {
@@ -14,34 +13,6 @@ namespace {
 /// Multiples of 1 / scale are tried in this order. Index 0 stands for none. Part of the format.
 constexpr std::array<double, 14> kScales = {0.0, 1.0, 1e1, 1e2, 1e3,       1e4,       1e5,
                                             1e6, 1e7, 1e8, 1e9, 0x1.0p+20, 0x1.0p+24, 0x1.0p+30};
-
-constexpr double kMaxMultiple = 0x1.0p+53;
-
-std::uint64_t BitsOf(double value) {
-  std::uint64_t bits = 0;
-  std::memcpy(&bits, &value, sizeof(bits));
-  return bits;
-}
-
-double DoubleOf(std::uint64_t bits) {
-  double value = 0.0;
-  std::memcpy(&value, &bits, sizeof(value));
-  return value;
-}
-
-/// round(value * scale), or 0 if that is nothing that an integer can hold.
-std::int64_t Multiple(double value, double scale) {
-  const double multiple = std::round(value * scale);
-  return std::abs(multiple) < kMaxMultiple ? static_cast<std::int64_t>(multiple) : 0;
-}
-
-double FromMultiple(std::int64_t multiple, double scale) {
-  return static_cast<double>(multiple) / scale;
-}
-
-bool IsMultiple(double value, double scale) {
-  return BitsOf(FromMultiple(Multiple(value, scale), scale)) == BitsOf(value);
-}
 
 std::size_t NumExceptions(const std::vector<double>& values, double scale) {
   std::size_t count = 0;
@@ -129,11 +100,7 @@ std::vector<double> GetMultiples(std::size_t num_values, const std::vector<doubl
   MultiplePredictor predictor(predictions, scale);
   std::vector<double> values(num_values);
   for (double& value : values) {
-    // Unsigned, so that damaged data may overflow.
-    const auto multiple =
-        static_cast<std::int64_t>(static_cast<std::uint64_t>(in->GetSigned()) +
-                                  static_cast<std::uint64_t>(predictor.Predict()));
-    if (std::abs(static_cast<double>(multiple)) > kMaxMultiple) in->Fail("a number is too large");
+    const std::int64_t multiple = GetMultiple(predictor.Predict(), in);
     value = FromMultiple(multiple, scale);
     predictor.Add(multiple);
   }

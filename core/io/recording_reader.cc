@@ -85,8 +85,9 @@ class Reader {
     while (table.Next()) {
       if (table.Int(0) != static_cast<int>(nodes_.size())) Fail("nodes are missing");
       const int step = table.Int(1);
-      if (step >= static_cast<int>(steps_.size()))
+      if (step >= static_cast<int>(steps_.size())) {
         Fail("there are nodes of steps that are not there");
+      }
       const Pose2 pose = table.IsNull(4) ? steps_[step].first.local_from_base : table.PoseFrom(4);
       nodes_.push_back({step, pose, SubmapId{table.Int(2)}, table.Int(3)});
     }
@@ -150,8 +151,7 @@ class Reader {
       Step& step = AddStep(table);
       if (!table.IsNull(2)) step.match_start = table.EnumUpTo(MatchStart::kRecovery, 2);
       const std::string where = fmt::format("step {}", table.Int(0));
-      const std::string bytes = table.Bytes(3);
-      ByteReader in(bytes, path_, where);
+      ByteReader in(table.Bytes(3), path_, where);
       poses.Get(&in, &step);
       in.ExpectEnd();
       if (!table.IsNull(4)) steps_.back().second = SubmapId{table.Int(4)};

@@ -32,10 +32,10 @@ Pose2 SqliteTable::PoseFrom(int column) {
   return Pose2(Double(column), Double(column + 1), Double(column + 2));
 }
 
-std::string SqliteTable::Bytes(int column) {
+std::string_view SqliteTable::Bytes(int column) {
   const SQLite::Column value = statement_.getColumn(column);
   const auto* const data = static_cast<const char*>(value.getBlob());
-  return data == nullptr ? "" : std::string(data, static_cast<std::size_t>(value.getBytes()));
+  return {data, static_cast<std::size_t>(value.getBytes())};
 }
 
 std::string SqliteTable::Unpacked(int column, std::size_t max_size, const std::string& where) {

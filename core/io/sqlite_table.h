@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
@@ -36,7 +37,8 @@ class SqliteTable {
     return static_cast<Enum>(number);
   }
 
-  std::string Bytes(int column);
+  /// Until the next row.
+  std::string_view Bytes(int column);
 
   /// The content of a zlib stream, of at most `max_size` bytes; `where` is for messages.
   std::string Unpacked(int column, std::size_t max_size, const std::string& where);

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/io/step_codec.h"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <cstring>
+
+#include "core/io/multiples.h"
 
 namespace loopscope {
 namespace {
@@ -15,7 +17,6 @@ constexpr std::uint8_t kHasCorrelative = 1;
 constexpr std::uint8_t kIsRounded = 2;
 
 constexpr double kScale = 1e6;  ///< of Rounded
-constexpr double kMaxMultiple = 0x1.0p+53;
 
 using Numbers = std::array<double, 3>;
 using Multiples = std::array<std::int64_t, 3>;
@@ -23,44 +24,25 @@ using Multiples = std::array<std::int64_t, 3>;
 Numbers NumbersOf(const Pose2& pose) { return {pose.x(), pose.y(), pose.rotation}; }
 Pose2 PoseOf(const Numbers& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
 
-std::uint64_t BitsOf(double value) {
-  std::uint64_t bits = 0;
-  std::memcpy(&bits, &value, sizeof(bits));
-  return bits;
-}
-
-double DoubleOf(std::uint64_t bits) {
-  double value = 0.0;
-  std::memcpy(&value, &bits, sizeof(value));
-  return value;
-}
-
-/// The nearest; 0 for what is no finite number, or too large.
 Multiples MultiplesOf(const Pose2& pose) {
   Multiples multiples{};
   const Numbers numbers = NumbersOf(pose);
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const double multiple = std::round(kScale * numbers[i]);
-    if (std::abs(multiple) < kMaxMultiple) multiples[i] = static_cast<std::int64_t>(multiple);
-  }
+  for (std::size_t i = 0; i < numbers.size(); ++i) multiples[i] = Multiple(numbers[i], kScale);
   return multiples;
 }
 
 Pose2 FromMultiples(const Multiples& multiples) {
   Numbers numbers{};
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    numbers[i] = static_cast<double>(multiples[i]) / kScale;
+    numbers[i] = FromMultiple(multiples[i], kScale);
   }
   return PoseOf(numbers);
 }
 
 bool IsRounded(const Pose2& pose) {
   const Numbers numbers = NumbersOf(pose);
-  const Numbers rounded = NumbersOf(FromMultiples(MultiplesOf(pose)));
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (BitsOf(numbers[i]) != BitsOf(rounded[i])) return false;
-  }
-  return true;
+  return std::all_of(numbers.begin(), numbers.end(),
+                     [](double number) { return IsMultiple(number, kScale); });
 }
 
 bool IsRounded(const Step& step) {
@@ -78,12 +60,7 @@ void PutDifference(const Pose2& pose, const Pose2& expected, ByteWriter* out) {
 
 Pose2 GetDifferent(const Pose2& expected, ByteReader* in) {
   Multiples multiples = MultiplesOf(expected);
-  for (std::int64_t& multiple : multiples) {
-    // Unsigned, so that damaged data may overflow.
-    multiple = static_cast<std::int64_t>(static_cast<std::uint64_t>(multiple) +
-                                         static_cast<std::uint64_t>(in->GetSigned()));
-    if (std::abs(static_cast<double>(multiple)) > kMaxMultiple) in->Fail("a number is too large");
-  }
+  for (std::int64_t& multiple : multiples) multiple = GetMultiple(multiple, in);
   return FromMultiples(multiples);
 }
 

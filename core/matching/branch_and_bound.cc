@@ -115,14 +115,7 @@ class Search {
       for (const SearchBlock& block : blocks) queue_.Push(block);
       return;
     }
-    StartSquare square;
-    square.first = sector.first;
-    square.angle_index = angle_index;
-    square.height = start_height_;
-    square.num_rows = NumBlocks(sector.first.y, sector.last.y, start_height_);
-    square.num_columns = NumBlocks(sector.first.x, sector.last.x, start_height_);
-    square.sums = SumBlocks(grids_.at_height(start_height_), CellsAt(angle_index), sector.first,
-                            square.num_rows);
+    const SearchSquare square = ScoredSquare(sector.first, sector.last, angle_index, start_height_);
     const int max_sum = square.MaxSum();
     if (max_sum <= best_sum_) pruned_sum_ = std::max(pruned_sum_, max_sum);
     if (max_sum <= best_sum_ && max_sum < best_start_.sum) return;
@@ -186,22 +179,29 @@ class Search {
   /// for a trace, those that do not beat the best score are left out.
   void ScoreSquare(CellIndex first, CellIndex last, int angle_index, int height, int parent,
                    std::vector<SearchBlock>* blocks) {
-    const int num_rows = NumBlocks(first.y, last.y, height);
-    const int num_columns = NumBlocks(first.x, last.x, height);
-    const BlockSums sums =
-        SumBlocks(grids_.at_height(height), CellsAt(angle_index), first, num_rows);
-    const int max_of_all = MaxOfBlocks(sums, 0, num_rows, num_columns);
-    if (trace_ == nullptr && max_of_all <= best_sum_) {
-      pruned_sum_ = std::max(pruned_sum_, max_of_all);
+    const SearchSquare square = ScoredSquare(first, last, angle_index, height);
+    const int max_sum = square.MaxSum();
+    if (trace_ == nullptr && max_sum <= best_sum_) {
+      pruned_sum_ = std::max(pruned_sum_, max_sum);
       return;
     }
-    for (int j = 0; j < num_rows; ++j) {
-      const int* const row = sums.data() + j * kBlocksPerSide;
-      const int y = first.y + (j << height);
-      for (int i = 0; i < num_columns; ++i) {
-        Add({{first.x + (i << height), y}, angle_index, height, row[i], -1}, parent, blocks);
+    for (int row = 0; row < square.num_rows; ++row) {
+      for (int column = 0; column < square.num_columns; ++column) {
+        Add(square.BlockAt(row, column), parent, blocks);
       }
     }
+  }
+
+  /// The 8 x 8 blocks from `first` on, as far as they begin at `last` or before.
+  SearchSquare ScoredSquare(CellIndex first, CellIndex last, int angle_index, int height) {
+    SearchSquare square;
+    square.first = first;
+    square.angle_index = angle_index;
+    square.height = height;
+    square.num_rows = NumBlocks(first.y, last.y, height);
+    square.num_columns = NumBlocks(first.x, last.x, height);
+    square.sums = SumBlocks(grids_.at_height(height), CellsAt(angle_index), first, square.num_rows);
+    return square;
   }
 
   /// Along a side of a square from `first` on, as far as they begin at `last` or before.

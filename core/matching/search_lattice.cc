@@ -22,14 +22,31 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// [cells] Of a quotient, as far as a cell can be from the origin.
 constexpr double kMaxRounding = 1e-6;
 
+/// Sets the cells of points as long as they fill a vector, from what `coordinate` (0 for x, 1 for
+/// y) makes of them. The number of these points.
+template <typename Coordinate>
+std::size_t CellsOfVectors(const Eigen::Vector2d* points, std::size_t num_points,
+                           const Coordinate& coordinate, CellIndex* cells) {
+  const hn::ScalableTag<double> numbers;
+  const hn::Rebind<std::int32_t, decltype(numbers)> indices;
+  static_assert(sizeof(CellIndex) == 2 * sizeof(std::int32_t) &&
+                sizeof(Eigen::Vector2d) == 2 * sizeof(double));
+  std::size_t i = 0;
+  for (; i + hn::Lanes(numbers) <= num_points; i += hn::Lanes(numbers)) {
+    hn::Vec<decltype(numbers)> x;
+    hn::Vec<decltype(numbers)> y;
+    hn::LoadInterleaved2(numbers, points[i].data(), x, y);
+    hn::StoreInterleaved2(coordinate(0, x, y), coordinate(1, x, y), indices, &cells[i].x);
+  }
+  return i;
+}
+
 /// CellOf of many points, moved by `rotation` and `translation` [m] before.
 void CellsOfMovedHere(const Eigen::Vector2d* points, std::size_t num_points,
                       const Eigen::Matrix2d& rotation, const Eigen::Vector2d& translation,
                       double resolution, CellIndex* cells) {
   const hn::ScalableTag<double> numbers;
   const hn::Rebind<std::int32_t, decltype(numbers)> indices;
-  static_assert(sizeof(CellIndex) == 2 * sizeof(std::int32_t) &&
-                sizeof(Eigen::Vector2d) == 2 * sizeof(double));
   const auto r = hn::Set(numbers, resolution);
   const auto inverse = hn::Set(numbers, 1.0 / resolution);
   const auto half = hn::Set(numbers, 0.5);
@@ -46,13 +63,7 @@ void CellsOfMovedHere(const Eigen::Vector2d* points, std::size_t num_points,
                           : hn::Floor(hn::Add(hn::Div(moved, r), half));
     return hn::DemoteTo(indices, cell);
   };
-  std::size_t i = 0;
-  for (; i + hn::Lanes(numbers) <= num_points; i += hn::Lanes(numbers)) {
-    hn::Vec<decltype(numbers)> x;
-    hn::Vec<decltype(numbers)> y;
-    hn::LoadInterleaved2(numbers, points[i].data(), x, y);
-    hn::StoreInterleaved2(coordinate(0, x, y), coordinate(1, x, y), indices, &cells[i].x);
-  }
+  std::size_t i = CellsOfVectors(points, num_points, coordinate, cells);
   for (; i < num_points; ++i) cells[i] = CellOf(rotation * points[i] + translation, resolution);
 }
 
@@ -75,13 +86,7 @@ void LowestCellsHere(const Eigen::Vector2d* points, std::size_t num_points,
         hn::Floor(hn::Add(hn::Mul(moved, inverse), hn::Set(numbers, 0.5 - kMaxRounding)));
     return hn::DemoteTo(indices, cell);
   };
-  std::size_t i = 0;
-  for (; i + hn::Lanes(numbers) <= num_points; i += hn::Lanes(numbers)) {
-    hn::Vec<decltype(numbers)> x;
-    hn::Vec<decltype(numbers)> y;
-    hn::LoadInterleaved2(numbers, points[i].data(), x, y);
-    hn::StoreInterleaved2(coordinate(0, x, y), coordinate(1, x, y), indices, &cells[i].x);
-  }
+  std::size_t i = CellsOfVectors(points, num_points, coordinate, cells);
   for (; i < num_points; ++i) {
     const Eigen::Vector2d lower =
         (first_rotation * points[i]).cwiseMin(last_rotation * points[i]) + translation;

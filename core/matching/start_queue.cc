@@ -4,16 +4,13 @@
 
 namespace loopscope {
 
-SearchBlock StartSquare::Best(int max_sum) const {
+SearchBlock SearchSquare::Best(int max_sum) const {
   int place = 0;  // of equals the first, which operator< has for the greatest
   while (sums[place] != max_sum || place % kBlocksPerSide >= num_columns) ++place;
-  const int column = place % kBlocksPerSide;
-  const int row = place / kBlocksPerSide;
-  return {
-      {first.x + (column << height), first.y + (row << height)}, angle_index, height, max_sum, -1};
+  return BlockAt(place / kBlocksPerSide, place % kBlocksPerSide);
 }
 
-void StartQueue::Push(const StartSquare& square, const SearchBlock& best) {
+void StartQueue::Push(const SearchSquare& square, const SearchBlock& best) {
   entries_.push({best, static_cast<int>(squares_.size())});
   squares_.push_back(square);
 }
@@ -22,7 +19,7 @@ SearchBlock StartQueue::Pop() {
   const Entry next = entries_.top();
   entries_.pop();
   if (next.square == kNoSquare) return next.block;
-  StartSquare& square = squares_[next.square];
+  SearchSquare& square = squares_[next.square];
   const int column = (next.block.offset.x - square.first.x) >> square.height;
   const int row = (next.block.offset.y - square.first.y) >> square.height;
   square.sums[row * kBlocksPerSide + column] = kTaken;

@@ -10,9 +10,8 @@
 
 namespace loopscope {
 
-/// The 8 x 8 start nodes (eq. 13) of a square at one angle, or those of its rows and columns that
-/// lie in the window.
-struct StartSquare {
+/// 8 x 8 nodes of the tree side by side at one angle, or those of their first rows and columns.
+struct SearchSquare {
   CellIndex first;
   int angle_index = 0;
   int height = 0;
@@ -20,13 +19,22 @@ struct StartSquare {
   int num_columns = 0;
   BlockSums sums;
 
+  SearchBlock BlockAt(int row, int column) const {
+    return {{first.x + (column << height), first.y + (row << height)},
+            angle_index,
+            height,
+            sums[row * kBlocksPerSide + column],
+            -1};
+  }
+
   int MaxSum() const { return MaxOfBlocks(sums, 0, num_rows, num_columns); }
 
   /// The greatest, of which `max_sum` is the sum.
   SearchBlock Best(int max_sum) const;
 };
 
-/// Start nodes, the greatest first. Squares give theirs one by one: most are never asked for.
+/// Start nodes (eq. 13), the greatest first. Squares give theirs one by one: most are never asked
+/// for.
 class StartQueue {
  public:
   bool empty() const { return entries_.empty(); }
@@ -34,7 +42,7 @@ class StartQueue {
 
   void Push(const SearchBlock& block) { entries_.push({block, kNoSquare}); }
   /// `best` is the best of the square.
-  void Push(const StartSquare& square, const SearchBlock& best);
+  void Push(const SearchSquare& square, const SearchBlock& best);
   SearchBlock Pop();
 
  private:
@@ -48,7 +56,7 @@ class StartQueue {
     friend bool operator<(const Entry& a, const Entry& b) { return a.block < b.block; }
   };
 
-  std::vector<StartSquare> squares_;
+  std::vector<SearchSquare> squares_;
   std::priority_queue<Entry> entries_;
 };
 

@@ -14,8 +14,8 @@ namespace loopscope {
 namespace {
 
 /// With few different sums, so that many are equal.
-StartSquare SomeSquare(int angle_index, Random* random) {
-  StartSquare square;
+SearchSquare SomeSquare(int angle_index, Random* random) {
+  SearchSquare square;
   square.first = {random->Below(50) - 25, random->Below(50) - 25};
   square.angle_index = angle_index;
   square.height = 3;
@@ -36,7 +36,7 @@ TEST(StartQueue, GivesAllStartNodesTheGreatestFirst) {
     StartQueue queue;
     std::vector<SearchBlock> expected;
     for (int angle = 0; angle < 5; ++angle) {
-      const StartSquare square = SomeSquare(angle, &random);
+      const SearchSquare square = SomeSquare(angle, &random);
       queue.Push(square, square.Best(square.MaxSum()));
       for (int row = 0; row < square.num_rows; ++row) {
         for (int column = 0; column < square.num_columns; ++column) {
