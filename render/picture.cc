@@ -39,7 +39,7 @@ std::string EncodePng(const Picture& picture) {
            static_cast<std::uint8_t*>(image->GetScalarPointer()));
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(image);
-  writer->SetCompressionLevel(6);
+  writer->SetCompressionLevel(4);
   writer->WriteToMemoryOn();
   writer->Write();
   const vtkUnsignedCharArray* const bytes = writer->GetResult();

@@ -58,6 +58,7 @@ CellBox BoxOf(const std::vector<CellIndex>& cells);
 struct ScanCells {
   std::vector<CellIndex> hits;
   std::vector<CellIndex> misses;
+  CellBox box;  ///< the smallest that holds them all
 };
 
 }  // namespace loopscope

@@ -50,6 +50,34 @@ class CellSet {
     words[last_word] |= to_last;
   }
 
+  /// The smallest box around this set and `others`, a set of the same box.
+  CellBox UnionBox(const CellSet& others) const {
+    std::vector<std::uint64_t> columns(words_per_row_, 0);
+    int bottom = box_.height;
+    int top = -1;
+    std::size_t i = 0;
+    for (int y = 0; y < box_.height; ++y) {
+      std::uint64_t any = 0;
+      for (std::uint64_t& word : columns) {
+        const std::uint64_t both = words_[i] | others.words_[i];
+        word |= both;
+        any |= both;
+        ++i;
+      }
+      if (any == 0) continue;
+      bottom = std::min(bottom, y);
+      top = y;
+    }
+    if (top < 0) return {};
+    const auto used = [](std::uint64_t word) { return word != 0; };
+    const auto first = std::find_if(columns.begin(), columns.end(), used);
+    const auto last = std::find_if(columns.rbegin(), columns.rend(), used).base() - 1;
+    const int left = static_cast<int>(first - columns.begin()) * kBits + __builtin_ctzll(*first);
+    const int right =
+        static_cast<int>(last - columns.begin()) * kBits + kBits - 1 - __builtin_clzll(*last);
+    return {{box_.min.x + left, box_.min.y + bottom}, right - left + 1, top - bottom + 1};
+  }
+
   /// Those that are not in `others`, a set of the same box: row by row, from the lowest y on.
   std::vector<CellIndex> Without(const CellSet& others) const {
     std::vector<std::uint64_t> rest(words_.size());
@@ -135,6 +163,7 @@ ScanCells CastRays(const RangeData& data, double resolution, double max_wall_gap
   };
   std::for_each(data.returns.begin(), data.returns.end(), cast_to);
   std::for_each(data.misses.begin(), data.misses.end(), cast_to);
+  cells.box = crossed.UnionBox(hits);
   cells.misses = crossed.Without(hits);
   return cells;
 }

@@ -58,7 +58,7 @@ class Reader {
     ReadOptimizations();
     Append(&recording);
     if (next_node_ != nodes_.size() || next_submap_ != submaps_.size() ||
-        next_candidate_ != candidates_.size() || next_optimization_ != optimizations_.size()) {
+        next_candidates_ != candidates_.size() || next_optimization_ != optimizations_.size()) {
       Fail("there are rows of steps that are not there");
     }
     return recording;
@@ -107,9 +107,8 @@ class Reader {
       const std::string where = fmt::format("loop candidates of step {}", table.Int(0));
       const std::string bytes = table.Unpacked(1, kMaxChunkSize, where);
       ByteReader in(bytes, path_, where);
-      const std::vector<LoopCandidate> some = GetCandidates(table.Int(0), &in);
+      candidates_.emplace_back(table.Int(0), GetCandidates(table.Int(0), &in));
       in.ExpectEnd();
-      candidates_.insert(candidates_.end(), some.begin(), some.end());
     }
   }
 
@@ -183,6 +182,9 @@ class Reader {
   }
 
   void Append(Recording* recording) {
+    std::size_t num_candidates = 0;
+    for (const auto& [step, some] : candidates_) num_candidates += some.size();
+    recording->ReserveCandidates(num_candidates);
     for (std::size_t i = 0; i < steps_.size(); ++i) {
       SlamUpdate update;
       update.step = steps_[i].first;
@@ -204,9 +206,8 @@ class Reader {
     if (next_submap_ < submaps_.size() && submaps_[next_submap_].first == step) {
       update->started_submap = submaps_[next_submap_++].second;
     }
-    while (next_candidate_ < candidates_.size() &&
-           candidates_[next_candidate_].applied_step == step) {
-      update->candidates.push_back(candidates_[next_candidate_++]);
+    if (next_candidates_ < candidates_.size() && candidates_[next_candidates_].first == step) {
+      update->candidates = std::move(candidates_[next_candidates_++].second);
     }
     if (next_optimization_ < optimizations_.size() &&
         optimizations_[next_optimization_].step == step) {
@@ -219,11 +220,11 @@ class Reader {
   std::vector<std::pair<Step, std::optional<SubmapId>>> steps_;  ///< with the submap it finished
   std::vector<Node> nodes_;
   std::vector<std::pair<int, Submap>> submaps_;  ///< with the step in which they were begun
-  std::vector<LoopCandidate> candidates_;
+  std::vector<std::pair<int, std::vector<LoopCandidate>>> candidates_;  ///< by applied_step
   std::vector<Optimization> optimizations_;
   std::size_t next_node_ = 0;
   std::size_t next_submap_ = 0;
-  std::size_t next_candidate_ = 0;
+  std::size_t next_candidates_ = 0;
   std::size_t next_optimization_ = 0;
 };
 

@@ -13,6 +13,7 @@ ScanCells ToSubmapLattice(const ScanCells& cells_in_local, const Pose2& local_fr
   for (std::vector<CellIndex>* list : {&cells.hits, &cells.misses}) {
     for (CellIndex& cell : *list) cell = {cell.x - origin.x, cell.y - origin.y};
   }
+  cells.box.min = {cells.box.min.x - origin.x, cells.box.min.y - origin.y};
   return cells;
 }
 

@@ -16,7 +16,7 @@ void Recording::Append(SlamUpdate update) {
     for (int i = first; i < first + update.node->num_submaps; ++i) ++submaps_[i].num_nodes;
   }
   if (update.finished_submap) submaps_[update.finished_submap->index].finished_step = step;
-  for (LoopCandidate& candidate : update.candidates) candidates_.push_back(std::move(candidate));
+  candidates_.insert(candidates_.end(), update.candidates.begin(), update.candidates.end());
   if (update.optimization) optimizations_.push_back(std::move(*update.optimization));
 }
 

@@ -81,6 +81,9 @@ class Recording {
   const ScanLog& log() const { return *log_; }
   const Options& options() const { return options_; }
 
+  /// Makes room for so many, so that adding them moves none of those before.
+  void ReserveCandidates(std::size_t count) { candidates_.reserve(count); }
+
   /// Adds what the next scan caused.
   void Append(SlamUpdate update);
 

@@ -5,10 +5,22 @@
 #include <stdexcept>
 #include <utility>
 #include <vtkObjectFactory.h>
+#include <vtkOpenGLFramebufferObject.h>
 
 namespace loopscope {
 
 vtkStandardNewMacro(OffscreenWindow);
+
+/// Nothing is shown: pictures are read where they were rendered, so that one framebuffer is enough.
+/// To allocate the others took longer than to render a map.
+OffscreenWindow::OffscreenWindow() {
+  SetSwapBuffers(false);
+  for (vtkOpenGLFramebufferObject** unused : {&DisplayFramebuffer, &ResolveFramebuffer}) {
+    (*unused)->Delete();
+    *unused = RenderFramebuffer;
+    RenderFramebuffer->Register(nullptr);
+  }
+}
 
 OffscreenWindow::~OffscreenWindow() {
   if (context_) Finalize();  // while MakeCurrent is still ours
@@ -26,6 +38,11 @@ void OffscreenWindow::Open(std::unique_ptr<GlContext> context) {
 
 void OffscreenWindow::MakeCurrent() {
   if (context_ && !context_->IsCurrent()) context_->MakeCurrent();
+}
+
+void OffscreenWindow::ReadRows(int first_row, int num_rows, vtkUnsignedCharArray* rgba) {
+  constexpr int kRendered = 0;  // and not the front buffer
+  GetRGBACharPixelData(0, first_row, GetSize()[0] - 1, first_row + num_rows - 1, kRendered, rgba);
 }
 
 bool OffscreenWindow::IsCurrent() { return context_ && context_->IsCurrent(); }

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkUnsignedCharArray.h>
 
 #include "render/headless/gl_context.h"
 
@@ -21,8 +22,12 @@ class OffscreenWindow : public vtkGenericOpenGLRenderWindow {
   void MakeCurrent() override;
   bool IsCurrent() override;
 
+  /// Rows `first_row` (from the lowest one, 0) and up as they were rendered, `num_rows` of them:
+  /// RGBA, row by row, in the array given, which grows as needed.
+  void ReadRows(int first_row, int num_rows, vtkUnsignedCharArray* rgba);
+
  protected:
-  OffscreenWindow() = default;
+  OffscreenWindow();
   ~OffscreenWindow() override;
 
  private:

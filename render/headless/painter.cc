@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/headless/painter.h"
 
+#include <algorithm>
 #include <vector>
 #include <vtkNew.h>
 #include <vtkUnsignedCharArray.h>
@@ -9,33 +10,52 @@
 namespace loopscope {
 namespace {
 
-/// Averages squares of `factor` pixels, and turns the image upside down. `pixels` are RGB from the
-/// lowest row up.
-Picture ShrinkAndFlip(const std::uint8_t* pixels, int width, int height, int factor) {
-  Picture picture{width / factor, height / factor, {}};
-  picture.rgb.resize(3 * static_cast<std::size_t>(picture.width) * picture.height);
-  const int count = factor * factor;
-  std::vector<std::uint8_t> mean_of_sum(255 * count + 1);  // rounded; a division takes longer
-  for (int sum = 0; sum <= 255 * count; ++sum) {
-    mean_of_sum[sum] = static_cast<std::uint8_t>((sum + count / 2) / count);
-  }
-  const std::size_t row_size = 3 * static_cast<std::size_t>(width);
-  std::uint8_t* out = picture.rgb.data();
-  for (int y = picture.height - 1; y >= 0; --y) {
-    const std::uint8_t* square = pixels + static_cast<std::size_t>(y) * factor * row_size;
-    for (int x = 0; x < picture.width; ++x, square += 3 * factor) {
-      for (int channel = 0; channel < 3; ++channel) {
-        int sum = 0;
-        for (int dy = 0; dy < factor; ++dy) {
-          const std::uint8_t* const row = square + dy * row_size + channel;
-          for (int dx = 0; dx < factor; ++dx) sum += row[3 * dx];
-        }
-        *out++ = mean_of_sum[sum];
-      }
+constexpr int kNumChannels = 4;  // RGBA is what OpenGL has
+
+/// Averages squares of pixels, RGBA to RGB.
+class Shrinking {
+ public:
+  /// Of `width` pixels in a row, `factor` x `factor` in a square.
+  Shrinking(int width, int factor)
+      : row_size_(kNumChannels * static_cast<std::size_t>(width)),
+        factor_(factor),
+        sums_(row_size_),
+        mean_of_sum_(255 * factor * factor + 1) {
+    const int count = factor * factor;
+    for (std::size_t sum = 0; sum < mean_of_sum_.size(); ++sum) {
+      mean_of_sum_[sum] = static_cast<std::uint8_t>((sum + count / 2) / count);  // rounded
     }
   }
-  return picture;
-}
+
+  /// One row of squares.
+  void Shrink(const std::uint8_t* rgba, std::uint8_t* rgb) {
+    std::copy_n(rgba, row_size_, sums_.begin());
+    for (int dy = 1; dy < factor_; ++dy) {
+      const std::uint8_t* const row = rgba + dy * row_size_;
+      for (std::size_t i = 0; i < row_size_; ++i) sums_[i] += row[i];
+    }
+    const std::size_t square = kNumChannels * factor_;
+    for (std::size_t i = 0; i < row_size_; i += square) {
+      int red = 0;
+      int green = 0;
+      int blue = 0;
+      for (std::size_t j = i; j < i + square; j += kNumChannels) {
+        red += sums_[j];
+        green += sums_[j + 1];
+        blue += sums_[j + 2];
+      }
+      *rgb++ = mean_of_sum_[red];
+      *rgb++ = mean_of_sum_[green];
+      *rgb++ = mean_of_sum_[blue];
+    }
+  }
+
+ private:
+  std::size_t row_size_;
+  int factor_;
+  std::vector<std::uint16_t> sums_;        // of the rows of squares, RGBA
+  std::vector<std::uint8_t> mean_of_sum_;  // a division takes longer
+};
 
 }  // namespace
 
@@ -47,11 +67,18 @@ Picture Painter::Draw(const Scene& scene) {
   window_->SetSize(scene.width, scene.height);
   Show(scene, window_);
   window_->Render();
-  vtkNew<vtkUnsignedCharArray> pixels;
-  constexpr int kBackBuffer = 0;
-  constexpr int kBothEyes = 0;
-  window_->GetPixelData(0, 0, scene.width - 1, scene.height - 1, kBackBuffer, pixels, kBothEyes);
-  return ShrinkAndFlip(pixels->GetPointer(0), scene.width, scene.height, scene.oversampling);
+  const int factor = scene.oversampling;
+  Picture picture{scene.width / factor, scene.height / factor, {}};
+  const std::size_t row_size = 3 * static_cast<std::size_t>(picture.width);
+  picture.rgb.resize(row_size * picture.height);
+  Shrinking shrinking(scene.width, factor);
+  vtkNew<vtkUnsignedCharArray> rgba;
+  for (int y = 0; y < picture.height; ++y) {  // from the lowest row up; a picture begins above
+    window_->ReadRows(y * factor, factor, rgba);
+    shrinking.Shrink(rgba->GetPointer(0),
+                     picture.rgb.data() + (picture.height - 1 - y) * row_size);
+  }
+  return picture;
 }
 
 Picture Painter::Draw(const Recording& recording, const ViewRequest& request) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/layers/cell_image.h"
 
-#include <cstring>
+#include <memory>
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -13,7 +13,7 @@
 namespace loopscope {
 namespace {
 
-static_assert(sizeof(Color) == 4, "pixels are copied as they are");
+static_assert(sizeof(Color) == 4, "VTK reads pixels as they are");
 
 /// The pixels of `box`, which end half a cell beyond its grid points.
 vtkSmartPointer<vtkPolyData> TexturedRectangle(const CellBox& box, const Pose2& target_from_grid,
@@ -37,22 +37,19 @@ vtkSmartPointer<vtkPolyData> TexturedRectangle(const CellBox& box, const Pose2& 
 }  // namespace
 
 CellImage::CellImage(const CellBox& box) : box_(box) {
-  if (!box.empty()) pixels_.assign(box.num_cells(), Color{0, 0, 0, 0});
-}
-
-vtkSmartPointer<vtkImageData> CellImage::ToVtk() const {
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(box_.width, box_.height, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
-  std::memcpy(image->GetScalarPointer(), pixels_.data(), pixels_.size() * sizeof(Color));
-  return image;
+  if (box.empty()) return;
+  image_ = vtkSmartPointer<vtkImageData>::New();
+  image_->SetDimensions(box.width, box.height, 1);
+  image_->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  pixels_ = static_cast<Color*>(image_->GetScalarPointer());
+  std::uninitialized_fill_n(pixels_, box.num_cells(), Color{0, 0, 0, 0});
 }
 
 vtkSmartPointer<vtkActor> CellImageLayer(const CellImage& image, const Pose2& target_from_grid,
                                          double resolution) {
   if (image.box().empty()) return MakeActor(Shapes().Build());
   vtkNew<vtkTexture> texture;
-  texture->SetInputData(image.ToVtk());
+  texture->SetInputData(image.vtk());
   texture->InterpolateOff();
   texture->MipmapOff();
   texture->RepeatOff();

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <vector>
 #include <vtkActor.h>
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
@@ -17,18 +16,21 @@ namespace loopscope {
 class CellImage {
  public:
   explicit CellImage(const CellBox& box);
+  CellImage(CellImage&&) = default;
+  CellImage& operator=(CellImage&&) = default;
 
   const CellBox& box() const { return box_; }
   /// `cell` must lie in the box.
   Color At(CellIndex cell) const { return pixels_[box_.FlatIndex(cell)]; }
   void Set(CellIndex cell, const Color& color) { pixels_[box_.FlatIndex(cell)] = color; }
 
-  /// RGBA, row-major, lowest y first.
-  vtkSmartPointer<vtkImageData> ToVtk() const;
+  /// RGBA, row-major, lowest y first; of this image, not a copy. The box must not be empty.
+  vtkImageData* vtk() const { return image_; }
 
  private:
   CellBox box_;
-  std::vector<Color> pixels_;
+  vtkSmartPointer<vtkImageData> image_;
+  Color* pixels_ = nullptr;  // of image_
 };
 
 /// The image as one rectangle, every cell in one colour to its edges. `resolution` is the edge of a

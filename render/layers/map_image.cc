@@ -91,11 +91,14 @@ class CellWalk {
     return {begin, std::max(begin, end)};
   }
 
-  /// Row-major, in the box.
-  std::ptrdiff_t IndexAt(int pixel) const {
-    const std::int64_t x = (x_ + pixel * step_x_) >> kFractionBits;
-    const std::int64_t y = (y_ + pixel * step_y_) >> kFractionBits;
-    return y * width_ + x;
+  /// Calls visit(pixel, index of the cell, row-major in the box) for pixels inside.
+  template <typename Visitor>
+  void Visit(int begin, int end, const Visitor& visit) const {
+    std::int64_t x = x_ + begin * step_x_;
+    std::int64_t y = y_ + begin * step_y_;
+    for (int pixel = begin; pixel < end; ++pixel, x += step_x_, y += step_y_) {
+      visit(pixel, (y >> kFractionBits) * width_ + (x >> kFractionBits));
+    }
   }
 
  private:
@@ -209,6 +212,9 @@ class LogOddsSum {
   /// For small pixels: adds what the grid has beneath the middle of each of `pixels`.
   void AddFromPixels(const PlacedGrid& placed, const CellBox& pixels) {
     const ProbabilityGrid& grid = *placed.grid;
+    const CellValue* const cells = grid.cells().data();
+    float* const sums = sums_.data();
+    std::uint8_t* const known = known_.data();
     // From pixels of the raster to cells of the grid.
     const Pose2 grid_from_map = placed.map_from_grid.Inverse();
     const double scale = raster_.pixel_size / grid.resolution();
@@ -219,11 +225,12 @@ class LogOddsSum {
       const CellWalk walk(turn * Eigen::Vector2d(0.0, y) + shift, turn.col(0), grid.box());
       const auto [begin, end] = walk.Inside(pixels.min.x, pixels.min.x + pixels.width);
       const std::size_t row = static_cast<std::size_t>(y) * raster_.width;
-      for (int x = begin; x < end; ++x) {
-        const CellValue value = grid.cells()[walk.IndexAt(x)];
-        sums_[row + x] += log_odds_[value];
-        known_[row + x] |= value != kUnknown;
-      }
+      walk.Visit(begin, end, [&](int x, std::ptrdiff_t cell) {
+        const CellValue value = cells[cell];
+        if (value == kUnknown) return;
+        sums[row + x] += log_odds_[value];
+        known[row + x] = 1;
+      });
     }
   }
 
@@ -266,6 +273,13 @@ MapComposer::~MapComposer() = default;
 
 CellImage MapComposer::Compose(const std::vector<PlacedGrid>& grids, const Raster& raster,
                                const MapColors& colors) {
+  const PlacedGrid* const end = grids.data() + grids.size();
+  if (!composed_) {
+    composed_ = true;
+    LogOddsSum all(raster);
+    all.Add(grids.data(), end);
+    return all.ToImage(colors);
+  }
   constexpr std::size_t kMaxGrowing = 2;  // submaps into which scans are inserted
   const auto same = [](const PlacedGrid& a, const PlacedGrid& b) { return AreSame(a, b); };
   const bool goes_on = sum_ && AreSame(sum_->raster(), raster) && kept_.size() <= grids.size() &&
@@ -274,7 +288,6 @@ CellImage MapComposer::Compose(const std::vector<PlacedGrid>& grids, const Raste
     kept_.clear();
     sum_ = std::make_unique<LogOddsSum>(raster);
   }
-  const PlacedGrid* const end = grids.data() + grids.size();
   const PlacedGrid* const rest =
       grids.data() + std::max(kept_.size(), grids.size() - std::min(grids.size(), kMaxGrowing));
   sum_->Add(grids.data() + kept_.size(), rest);

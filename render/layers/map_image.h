@@ -35,9 +35,10 @@ Raster RasterFor(const FlatCamera& camera, const Box& frame, double resolution);
 
 /// Puts all grids into one image. Their odds for a pixel are multiplied, as if they were
 /// independent observations (eq. 3); a grid has the highest odds of its known cells there, so that
-/// no wall is lost in a small picture. Pixels that no grid knows are clear. Most of the last image
-/// is remembered, which changes none: as a recording is stepped through, the grids of all submaps
-/// but the last two stay as they are until poses are optimized.
+/// no wall is lost in a small picture. Pixels that no grid knows are clear. From the second image on,
+/// which tells that there will be more, most of the last one is remembered, which changes none: as a
+/// recording is stepped through, the grids of all submaps but the last two stay as they are until
+/// poses are optimized.
 class MapComposer {
  public:
   MapComposer();
@@ -47,8 +48,9 @@ class MapComposer {
                     const MapColors& colors);
 
  private:
+  bool composed_ = false;            ///< any image
   std::vector<PlacedGrid> kept_;     ///< those that sum_ holds
-  std::unique_ptr<LogOddsSum> sum_;  ///< null at first
+  std::unique_ptr<LogOddsSum> sum_;  ///< null until the second image
 };
 
 vtkSmartPointer<vtkActor> MapLayer(const std::vector<PlacedGrid>& grids, const Raster& raster,

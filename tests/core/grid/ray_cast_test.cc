@@ -140,6 +140,22 @@ TEST(CastRays, OfNothingIsNothing) {
   const ScanCells cells = CastRays({{0.3, 0.4}, {}, {}}, 0.05);
   EXPECT_TRUE(cells.hits.empty());
   EXPECT_TRUE(cells.misses.empty());
+  EXPECT_TRUE(cells.box.empty());
+}
+
+TEST(CastRays, BoxesInWhatItFound) {
+  Random random(3);
+  for (int i = 0; i < 200; ++i) {
+    RangeData data;
+    data.origin = {random.Uniform(-9.0, 9.0), random.Uniform(-9.0, 9.0)};
+    data.returns = RandomEnds(random.Below(6), data.origin, &random);
+    data.misses = RandomEnds(random.Below(3), data.origin, &random);
+    const ScanCells cells = CastRays(data, 0.01);
+    const CellBox box = Union(BoxOf(cells.hits), BoxOf(cells.misses));
+    EXPECT_EQ(cells.box.min, box.min) << i;
+    EXPECT_EQ(cells.box.width, box.width) << i;
+    EXPECT_EQ(cells.box.height, box.height) << i;
+  }
 }
 
 TEST(CastRays, ListsHitsInTheOrderOfTheReturns) {

@@ -12,8 +12,8 @@
 namespace loopscope {
 namespace {
 
-const ScanCells kCells{{{3, 0}, {3, 1}}, {{0, 0}, {1, 0}, {2, 1}}};
 const CellBox kBox{{0, 0}, 4, 2};
+const ScanCells kCells{{{3, 0}, {3, 1}}, {{0, 0}, {1, 0}, {2, 1}}, kBox};
 
 TEST(ScanInserter, MakesHitsLikelierAndMissesUnlikelier) {
   ProbabilityGrid grid(0.05);
@@ -26,7 +26,7 @@ TEST(ScanInserter, MultipliesTheOddsOfScans) {
   ProbabilityGrid grid(0.05);
   const ScanInserter inserter({0.7, 0.4, true});
   inserter.Insert(kCells, &grid);
-  inserter.Insert({{{3, 0}}, {{3, 1}, {0, 0}}}, &grid);
+  inserter.Insert({{{3, 0}}, {{3, 1}, {0, 0}}, kBox}, &grid);
   // Odds 7/3 * 7/3, 7/3 * 2/3 and 2/3 * 2/3.
   EXPECT_NEAR(grid.probability({3, 0}), 49.0 / 58.0, 1e-4);
   EXPECT_NEAR(grid.probability({3, 1}), 14.0 / 23.0, 1e-4);
@@ -34,9 +34,9 @@ TEST(ScanInserter, MultipliesTheOddsOfScans) {
   EXPECT_NEAR(grid.probability({1, 0}), 0.4, 1e-4);
 }
 
-TEST(ScanInserter, GrowsTheGridToMissesAsToHits) {
+TEST(ScanInserter, GrowsTheGridToTheBoxOfTheCells) {
   ProbabilityGrid grid(0.05);
-  ScanInserter({0.7, 0.4, true}).Insert({{{10, 2}}, {{-5, -7}}}, &grid);
+  ScanInserter({0.7, 0.4, true}).Insert({{{10, 2}}, {{-5, -7}}, {{-5, -7}, 16, 10}}, &grid);
   EXPECT_EQ(grid.box().min, (CellIndex{-5, -7}));
   EXPECT_EQ(grid.box().width, 16);
   EXPECT_EQ(grid.box().height, 10);

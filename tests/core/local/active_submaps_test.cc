@@ -119,10 +119,13 @@ TEST(ActiveSubmaps, BothHoldTheScansThatTheyShareAtTheSamePlace) {
 }
 
 TEST(ToSubmapLattice, NamesTheSameCellsFromTheSubmapsOrigin) {
-  const ScanCells in_local{{{3, 4}}, {{0, 0}, {-2, 7}}};
+  const ScanCells in_local{{{3, 4}}, {{0, 0}, {-2, 7}}, {{-2, 0}, 6, 8}};
   const ScanCells in_submap = ToSubmapLattice(in_local, Pose2(0.10, -0.15, 0.0), kResolution);
   EXPECT_EQ(in_submap.hits, (std::vector<CellIndex>{{1, 7}}));
   EXPECT_EQ(in_submap.misses, (std::vector<CellIndex>{{-2, 3}, {-4, 10}}));
+  EXPECT_EQ(in_submap.box.min, (CellIndex{-4, 3}));
+  EXPECT_EQ(in_submap.box.width, 6);
+  EXPECT_EQ(in_submap.box.height, 8);
 }
 
 TEST(ToSubmapLattice, GivesTheCellsThatTheScanHitsInTheFrameOfTheSubmap) {
