@@ -57,10 +57,18 @@ std::vector<DerivedCache::Grid> DerivedCache::GridsOfState(const MapState& state
   const std::vector<Row> rows = RowsOf(missing);
   ParallelFor(static_cast<int>(rows.size()), [&](int i) {
     const Row& row = rows[i];
-    std::vector<int> nums_nodes;
-    for (int k = 0; k < row.count; ++k) nums_nodes.push_back(keys[row.first + k].second);
-    std::vector<ProbabilityGrid> derived =
-        GridsOfSubmaps(recording_, SubmapId{row.first}, nums_nodes);
+    std::vector<int> begins;
+    std::vector<int> ends;
+    std::vector<ProbabilityGrid> derived;
+    for (int k = 0; k < row.count; ++k) {
+      const Key& key = keys[row.first + k];
+      const auto earlier = EarlierOf(key);
+      begins.push_back(earlier ? earlier->first : 0);
+      ends.push_back(key.second);
+      derived.push_back(earlier ? *earlier->second
+                                : GridOfSubmap(recording_, SubmapId{key.first}, 0));
+    }
+    GrowGrids(recording_, SubmapId{row.first}, begins, ends, &derived);
     for (int k = 0; k < row.count; ++k) {
       grids[row.first + k] = std::make_shared<const ProbabilityGrid>(std::move(derived[k]));
     }
@@ -93,6 +101,14 @@ DerivedCache::Search DerivedCache::SearchOf(SubmapId submap, NodeId node) {
   searched_ = {submap, node};
   search_ = replay ? std::make_shared<const SearchReplay>(std::move(*replay)) : nullptr;
   return search_;
+}
+
+std::optional<std::pair<int, DerivedCache::Grid>> DerivedCache::EarlierOf(const Key& key) const {
+  auto next = grids_.lower_bound(key);
+  if (next == grids_.begin()) return std::nullopt;
+  const auto& [earlier, entry] = *--next;
+  if (earlier.first != key.first) return std::nullopt;
+  return std::pair(earlier.second, entry.grid);
 }
 
 bool DerivedCache::IsOfFinishedSubmap(const Key& key) const {

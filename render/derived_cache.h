@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -56,6 +57,8 @@ class DerivedCache {
     std::int64_t last_use = 0;
   };
 
+  /// The grid that the same submap had with fewer nodes, and with how many.
+  std::optional<std::pair<int, Grid>> EarlierOf(const Key& key) const;
   bool IsOfFinishedSubmap(const Key& key) const;
   void Keep(const Key& key, const Grid& grid);
   void EvictUnfinished();

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdlib>
+#include <future>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -35,13 +37,18 @@ int Shoot(const Recording& recording, const FilmArguments& arguments, const Step
   const InterruptGuard guard;
   ProgressBar bar;
   int done = 0;
+  std::future<void> written;  // the frame before, while the next one is drawn
   while (done < steps.count() && !(done > 0 && InterruptGuard::interrupted())) {
     request.step = steps.step(done);
-    film->Add(painter.Draw(&cache, request));
+    Picture picture = painter.Draw(&cache, request);
+    if (written.valid()) written.get();
+    written = std::async(std::launch::async,
+                         [&film, picture = std::move(picture)] { film->Add(picture); });
     ++done;
     bar.Show(done, steps.count(), fmt::format("frames  {:.1f} frames/s", done / bar.seconds()));
   }
   bar.End();
+  written.get();
   film->Finish();
   return done;
 }

@@ -65,31 +65,42 @@ ProbabilityGrid GridOfSubmap(const Recording& recording, SubmapId submap, int nu
 
 std::vector<ProbabilityGrid> GridsOfSubmaps(const Recording& recording, SubmapId first,
                                             const std::vector<int>& nums_nodes) {
+  std::vector<ProbabilityGrid> grids(
+      nums_nodes.size(), ProbabilityGrid(LocalOptions(recording).submaps.grid_resolution));
+  GrowGrids(recording, first, std::vector<int>(nums_nodes.size(), 0), nums_nodes, &grids);
+  return grids;
+}
+
+void GrowGrids(const Recording& recording, SubmapId first, const std::vector<int>& begins,
+               const std::vector<int>& ends, std::vector<ProbabilityGrid>* grids) {
   const SubmapsOptions& options = LocalOptions(recording).submaps;
   const ScanInserter inserter(options.range_data_inserter);
-  const int count = static_cast<int>(nums_nodes.size());
-  std::vector<ProbabilityGrid> grids(count, ProbabilityGrid(options.grid_resolution));
-  std::vector<NodeId> ends;
+  const int count = static_cast<int>(grids->size());
+  std::vector<int> begin_nodes;
+  std::vector<int> end_nodes;
   for (int i = 0; i < count; ++i) {
     const Submap& submap = recording.submap(SubmapId{first.index + i});
-    assert(nums_nodes[i] <= submap.num_nodes);
-    ends.push_back(NodeId{submap.first_node.index + nums_nodes[i]});
+    assert(ends[i] <= submap.num_nodes);
+    begin_nodes.push_back(submap.first_node.index + begins[i]);
+    end_nodes.push_back(submap.first_node.index + ends[i]);
   }
-  const NodeId end = *std::max_element(ends.begin(), ends.end());
-  for (NodeId node = recording.submap(first).first_node; node < end; ++node.index) {
+  const NodeId end{*std::max_element(end_nodes.begin(), end_nodes.end())};
+  for (NodeId node{*std::min_element(begin_nodes.begin(), begin_nodes.end())}; node < end;
+       ++node.index) {
     std::optional<ScanCells> cells_in_local;
     const Node& record = recording.node(node);
     for (int k = 0; k < record.num_submaps; ++k) {
       const SubmapId submap{record.first_submap.index + k};
       const int i = submap.index - first.index;
-      if (i < 0 || i >= count || !(node < ends[i])) continue;
+      if (i < 0 || i >= count || node.index < begin_nodes[i] || node.index >= end_nodes[i]) {
+        continue;
+      }
       if (!cells_in_local) cells_in_local = LocalCellsOfNode(recording, node);
       inserter.Insert(ToSubmapLattice(*cells_in_local, recording.submap(submap).local_from_submap,
                                       options.grid_resolution),
-                      &grids[i]);
+                      &(*grids)[i]);
     }
   }
-  return grids;
 }
 
 int NumNodesOfSubmapAfterStep(const Recording& recording, SubmapId submap, int step) {

@@ -38,6 +38,11 @@ ProbabilityGrid GridOfSubmap(const Recording& recording, SubmapId submap, int nu
 std::vector<ProbabilityGrid> GridsOfSubmaps(const Recording& recording, SubmapId first,
                                             const std::vector<int>& nums_nodes);
 
+/// Inserts further nodes into such grids: those from number begins[i] on, of the submap first + i,
+/// until it has the first ends[i] of its nodes.
+void GrowGrids(const Recording& recording, SubmapId first, const std::vector<int>& begins,
+               const std::vector<int>& ends, std::vector<ProbabilityGrid>* grids);
+
 /// Number of nodes of a submap that had been inserted after `step`.
 int NumNodesOfSubmapAfterStep(const Recording& recording, SubmapId submap, int step);
 

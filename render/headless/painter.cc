@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/headless/painter.h"
 
-#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
 #include <vector>
 #include <vtkNew.h>
 #include <vtkUnsignedCharArray.h>
@@ -12,15 +14,13 @@ namespace {
 
 constexpr int kNumChannels = 4;  // RGBA is what OpenGL has
 
-/// Averages squares of pixels, RGBA to RGB.
+/// Averages squares of pixels, RGBA to RGB. What compilers do not make fast by themselves: of a
+/// pixel the four channels are summed in two words, 16 bits each, which holds up to 16 x 16 pixels.
 class Shrinking {
  public:
   /// Of `width` pixels in a row, `factor` x `factor` in a square.
   Shrinking(int width, int factor)
-      : row_size_(kNumChannels * static_cast<std::size_t>(width)),
-        factor_(factor),
-        sums_(row_size_),
-        mean_of_sum_(255 * factor * factor + 1) {
+      : width_(width), factor_(factor), mean_of_sum_(255 * factor * factor + 1) {
     const int count = factor * factor;
     for (std::size_t sum = 0; sum < mean_of_sum_.size(); ++sum) {
       mean_of_sum_[sum] = static_cast<std::uint8_t>((sum + count / 2) / count);  // rounded
@@ -28,32 +28,39 @@ class Shrinking {
   }
 
   /// One row of squares.
-  void Shrink(const std::uint8_t* rgba, std::uint8_t* rgb) {
-    std::copy_n(rgba, row_size_, sums_.begin());
-    for (int dy = 1; dy < factor_; ++dy) {
-      const std::uint8_t* const row = rgba + dy * row_size_;
-      for (std::size_t i = 0; i < row_size_; ++i) sums_[i] += row[i];
-    }
-    const std::size_t square = kNumChannels * factor_;
-    for (std::size_t i = 0; i < row_size_; i += square) {
-      int red = 0;
-      int green = 0;
-      int blue = 0;
-      for (std::size_t j = i; j < i + square; j += kNumChannels) {
-        red += sums_[j];
-        green += sums_[j + 1];
-        blue += sums_[j + 2];
-      }
-      *rgb++ = mean_of_sum_[red];
-      *rgb++ = mean_of_sum_[green];
-      *rgb++ = mean_of_sum_[blue];
+  void Shrink(const std::uint8_t* rgba, std::uint8_t* rgb) const {
+    if (factor_ == 2) {
+      ShrinkBy(std::integral_constant<int, 2>(), rgba, rgb);  // twice as fast
+    } else {
+      ShrinkBy(factor_, rgba, rgb);
     }
   }
 
  private:
-  std::size_t row_size_;
+  template <typename Int>
+  void ShrinkBy(Int factor, const std::uint8_t* rgba, std::uint8_t* rgb) const {
+    constexpr std::uint32_t kEvenBytes = 0x00ff00ff;
+    for (int x = 0; x < width_; x += factor, rgb += 3) {
+      std::uint32_t red_blue = 0;
+      std::uint32_t green_alpha = 0;
+      for (int dy = 0; dy < factor; ++dy) {
+        const std::uint8_t* pixel =
+            rgba + kNumChannels * (static_cast<std::size_t>(dy) * width_ + x);
+        for (int dx = 0; dx < factor; ++dx, pixel += kNumChannels) {
+          std::uint32_t word = 0;
+          std::memcpy(&word, pixel, sizeof(word));
+          red_blue += word & kEvenBytes;
+          green_alpha += word >> 8 & kEvenBytes;
+        }
+      }
+      rgb[0] = mean_of_sum_[red_blue & 0xffff];
+      rgb[1] = mean_of_sum_[green_alpha & 0xffff];
+      rgb[2] = mean_of_sum_[red_blue >> 16];
+    }
+  }
+
+  int width_;
   int factor_;
-  std::vector<std::uint16_t> sums_;        // of the rows of squares, RGBA
   std::vector<std::uint8_t> mean_of_sum_;  // a division takes longer
 };
 
@@ -71,12 +78,11 @@ Picture Painter::Draw(const Scene& scene) {
   Picture picture{scene.width / factor, scene.height / factor, {}};
   const std::size_t row_size = 3 * static_cast<std::size_t>(picture.width);
   picture.rgb.resize(row_size * picture.height);
-  Shrinking shrinking(scene.width, factor);
+  const Shrinking shrinking(scene.width, factor);
   vtkNew<vtkUnsignedCharArray> rgba;
   for (int y = 0; y < picture.height; ++y) {  // from the lowest row up; a picture begins above
     window_->ReadRows(y * factor, factor, rgba);
-    shrinking.Shrink(rgba->GetPointer(0),
-                     picture.rgb.data() + (picture.height - 1 - y) * row_size);
+    shrinking.Shrink(rgba->GetPointer(0), picture.rgb.data() + (picture.height - 1 - y) * row_size);
   }
   return picture;
 }

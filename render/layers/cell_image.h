@@ -20,8 +20,11 @@ class CellImage {
   CellImage& operator=(CellImage&&) = default;
 
   const CellBox& box() const { return box_; }
+  /// Clear outside of the box.
+  Color At(CellIndex cell) const {
+    return box_.Contains(cell) ? pixels_[box_.FlatIndex(cell)] : Color{0, 0, 0, 0};
+  }
   /// `cell` must lie in the box.
-  Color At(CellIndex cell) const { return pixels_[box_.FlatIndex(cell)]; }
   void Set(CellIndex cell, const Color& color) { pixels_[box_.FlatIndex(cell)] = color; }
 
   /// RGBA, row-major, lowest y first; of this image, not a copy. The box must not be empty.

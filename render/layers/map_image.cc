@@ -170,6 +170,7 @@ class LogOddsSum {
     if (small_pixels) {
       std::vector<CellBox> pixels(count);
       ParallelFor(count, [&](int i) { pixels[i] = PixelsOf(first[i], raster_); });
+      for (const CellBox& box : pixels) box_ = Union(box_, box);
       constexpr int kRowsOfBand = 32;
       ParallelFor((raster_.height + kRowsOfBand - 1) / kRowsOfBand, [&](int band) {
         const CellBox rows{{0, band * kRowsOfBand}, raster_.width, kRowsOfBand};
@@ -178,16 +179,19 @@ class LogOddsSum {
     } else {
       std::vector<Patch> patches(count);
       ParallelFor(count, [&](int i) { patches[i] = MakePatch(first[i], raster_); });
-      for (const Patch& patch : patches) AddPatch(patch);
+      for (const Patch& patch : patches) {
+        AddPatch(patch);
+        box_ = Union(box_, patch.box);
+      }
     }
   }
 
   CellImage ToImage(const MapColors& colors) const {
     const std::vector<Color> table = ColorTable(colors);
-    CellImage image({{0, 0}, raster_.width, raster_.height});
-    std::size_t i = 0;
-    for (int y = 0; y < raster_.height; ++y) {
-      for (int x = 0; x < raster_.width; ++x, ++i) {
+    CellImage image(box_);
+    for (int y = box_.min.y; y < box_.min.y + box_.height; ++y) {
+      std::size_t i = static_cast<std::size_t>(y) * raster_.width + box_.min.x;
+      for (int x = box_.min.x; x < box_.min.x + box_.width; ++x, ++i) {
         if (known_[i]) image.Set({x, y}, table[TableIndex(sums_[i])]);
       }
     }
@@ -251,6 +255,7 @@ class LogOddsSum {
   }
 
   Raster raster_;
+  CellBox box_;  // holds all pixels that are known
   std::vector<float> sums_;
   std::vector<std::uint8_t> known_;
   std::vector<float> log_odds_;  // by value; 0 for kUnknown

@@ -32,6 +32,20 @@ TEST(DerivedCacheTest, HasTheGridsOfTheState) {
   }
 }
 
+TEST(DerivedCacheTest, GrowsTheGridsOfAnEarlierStateIntoThoseOfTheNext) {
+  const Recording& recording = FewSubmaps();
+  DerivedCache stepped(recording);
+  for (int step = 0; step < 60; step += 3) {
+    const MapState state = StateAfterStep(recording, step);
+    const auto grids = stepped.GridsOfState(state);
+    const auto expected = DerivedCache(recording).GridsOfState(state);
+    ASSERT_EQ(grids.size(), expected.size());
+    for (std::size_t i = 0; i < grids.size(); ++i) {
+      EXPECT_EQ(grids[i]->cells(), expected[i]->cells()) << step << " submap " << i;
+    }
+  }
+}
+
 TEST(DerivedCacheTest, DerivesNoGridTwiceAndFollowsTheStateInBothDirections) {
   const Recording& recording = FewSubmaps();
   DerivedCache cache(recording);

@@ -34,8 +34,9 @@ Raster RasterOf(double size, double pixel_size) {
 
 int NumDark(const CellImage& image) {
   int count = 0;
-  for (int y = 0; y < image.box().height; ++y) {
-    for (int x = 0; x < image.box().width; ++x) {
+  const CellBox& box = image.box();
+  for (int y = box.min.y; y < box.min.y + box.height; ++y) {
+    for (int x = box.min.x; x < box.min.x + box.width; ++x) {
       const Color color = image.At({x, y});
       count += color.a > 0 && color.r < 128;
     }
