@@ -221,11 +221,10 @@ HWY_EXPORT(SumRowsHere);
 HWY_EXPORT(MaximaOfShiftedHere);
 HWY_EXPORT(SplitEvenOddHere);
 
-BlockSums SumBlocks(const PrecomputedGrid& grid, const std::vector<CellIndex>& cells,
+BlockSums SumBlocks(const PrecomputedGrid& grid, const CellIndex* cells, std::size_t num_cells,
                     CellIndex offset, int num_rows) {
   BlockSums totals{};
-  HWY_DYNAMIC_DISPATCH(SumBlocksHere)
-  (grid, cells.data(), cells.size(), offset, num_rows, &totals);
+  HWY_DYNAMIC_DISPATCH(SumBlocksHere)(grid, cells, num_cells, offset, num_rows, &totals);
   return totals;
 }
 

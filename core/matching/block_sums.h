@@ -24,7 +24,7 @@ using BlockSums = std::array<std::int32_t, kBlocksPerSide * kBlocksPerSide>;
 /// The sums of eq. 16 for 8 x 8 neighbouring blocks at once, the first at `offset`, the others
 /// `grid.stride()` apart: entry (i, j) is the sum of the values of `grid` at cells + offset +
 /// stride * (i, j), for j < `num_rows`, 1 to 8; what the others hold is not said.
-BlockSums SumBlocks(const PrecomputedGrid& grid, const std::vector<CellIndex>& cells,
+BlockSums SumBlocks(const PrecomputedGrid& grid, const CellIndex* cells, std::size_t num_cells,
                     CellIndex offset, int num_rows = kBlocksPerSide);
 
 /// The largest of the first `num_columns` entries of `num_rows` rows of BlockSums, from `row` on.

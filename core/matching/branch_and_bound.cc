@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <memory_resource>
 #include <utility>
 #include <vector>
 
@@ -200,7 +201,8 @@ class Search {
     square.height = height;
     square.num_rows = NumBlocks(first.y, last.y, height);
     square.num_columns = NumBlocks(first.x, last.x, height);
-    square.sums = SumBlocks(grids_.at_height(height), CellsAt(angle_index), first, square.num_rows);
+    square.sums = SumBlocks(grids_.at_height(height), CellsAt(angle_index), points_.size(), first,
+                            square.num_rows);
     return square;
   }
 
@@ -209,9 +211,13 @@ class Search {
     return std::min(kBlocksPerSide, ((last - first) >> height) + 1);
   }
 
-  const std::vector<CellIndex>& CellsAt(int angle_index) {
-    std::vector<CellIndex>& cells = cells_at_angle_[angle_index + window_.num_angular_steps];
-    if (cells.empty()) cells = CellsAtAngle(window_, points_, angle_index);
+  /// One for each point.
+  const CellIndex* CellsAt(int angle_index) {
+    CellIndex*& cells = cells_at_angle_[angle_index + window_.num_angular_steps];
+    if (cells == nullptr) {
+      cells = std::pmr::polymorphic_allocator<CellIndex>(&memory_).allocate(points_.size());
+      CellsAtAngle(window_, points_, angle_index, cells);
+    }
     return cells;
   }
 
@@ -271,7 +277,8 @@ class Search {
   const PointCloud& points_;
   const int num_points_;
   SearchTrace* trace_;
-  std::vector<std::vector<CellIndex>> cells_at_angle_;  ///< empty until they are needed
+  std::pmr::monotonic_buffer_resource memory_;  ///< of cells_at_angle_
+  std::vector<CellIndex*> cells_at_angle_;      ///< null until they are needed
   int start_height_ = 0;
   std::optional<SectorQueue> sectors_;        ///< whose start nodes have no bounds of their own yet
   StartQueue queue_;                          ///< those that have

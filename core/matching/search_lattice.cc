@@ -133,12 +133,17 @@ Pose2 PoseInWindow(const SearchWindow& window, CellIndex offset, int angle_index
 
 std::vector<CellIndex> CellsAtAngle(const SearchWindow& window, const PointCloud& points_in_scan,
                                     int angle_index) {
-  const Pose2 submap_from_scan = PoseInWindow(window, {0, 0}, angle_index);
   std::vector<CellIndex> cells(points_in_scan.size());
+  CellsAtAngle(window, points_in_scan, angle_index, cells.data());
+  return cells;
+}
+
+void CellsAtAngle(const SearchWindow& window, const PointCloud& points_in_scan, int angle_index,
+                  CellIndex* cells) {
+  const Pose2 submap_from_scan = PoseInWindow(window, {0, 0}, angle_index);
   HWY_DYNAMIC_DISPATCH(CellsOfMovedHere)
   (points_in_scan.data(), points_in_scan.size(), submap_from_scan.RotationMatrix(),
-   submap_from_scan.translation, window.resolution, cells.data());
-  return cells;
+   submap_from_scan.translation, window.resolution, cells);
 }
 
 std::vector<CellIndex> LowestCells(const SearchWindow& window, const PointCloud& points_in_scan,

@@ -26,6 +26,10 @@ Pose2 PoseInWindow(const SearchWindow& window, CellIndex offset, int angle_index
 std::vector<CellIndex> CellsAtAngle(const SearchWindow& window, const PointCloud& points_in_scan,
                                     int angle_index);
 
+/// Likewise, into `cells`, which has room for a cell of each point.
+void CellsAtAngle(const SearchWindow& window, const PointCloud& points_in_scan, int angle_index,
+                  CellIndex* cells);
+
 /// Where the points come lowest in x, and where in y, on their way from one angle of the window to
 /// another: no cell on it is lower, and none is higher by more than `last_angle` - `first_angle`
 /// + 1.

@@ -73,7 +73,8 @@ void SectorQueue::AddRowsOfSquare(const Sector& square, const std::vector<CellIn
   const int height = HeightOf(square.level);
   const int num_rows = ((square.last.y - square.first.y) >> height) + 1;
   const int num_columns = ((square.last.x - square.first.x) >> height) + 1;
-  const BlockSums sums = SumBlocks(grids_.swept_at_height(height), cells, square.first, num_rows);
+  const BlockSums sums =
+      SumBlocks(grids_.swept_at_height(height), cells.data(), cells.size(), square.first, num_rows);
   for (int row = 0; row < num_rows; row += kRowsPerSector) {
     Sector sector = square;
     sector.first.y += row << height;

@@ -42,7 +42,9 @@ void Visit(const Sector& sector, const Setting& setting, const PrecomputedGrids&
     for (int y = sector.first.y; y <= sector.last.y; y += kStep) {
       for (int x = sector.first.x; x <= sector.last.x; x += kStep) {
         ++(*coverage)[{x, y, angle}];
-        EXPECT_LE(SumBlocks(grids.at_height(kStartHeight), cells, {x, y}, 1)[0], sector.bound);
+        EXPECT_LE(
+            SumBlocks(grids.at_height(kStartHeight), cells.data(), cells.size(), {x, y}, 1)[0],
+            sector.bound);
       }
     }
   }

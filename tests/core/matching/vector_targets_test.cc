@@ -46,7 +46,8 @@ std::vector<std::int64_t> Compute(std::uint64_t seed) {
     for (const std::uint32_t sum : SumShifted(world.grid, cells, 3)) numbers.push_back(sum);
     for (const int height : {0, 3}) {
       for (const int num_rows : {3, kBlocksPerSide}) {
-        const BlockSums sums = SumBlocks(grids.at_height(height), cells, {-5, -6}, num_rows);
+        const BlockSums sums =
+            SumBlocks(grids.at_height(height), cells.data(), cells.size(), {-5, -6}, num_rows);
         numbers.insert(numbers.end(), sums.begin(), sums.begin() + num_rows * kBlocksPerSide);
       }
     }
