@@ -149,8 +149,14 @@ void LoopSearch::Begin(std::vector<Pair> batch) {
   pool_.Add([this, id, grid, pairs = std::move(batch)] {
     const auto searchable = matchers_.SearchableOf(id, *grid);
     for (const Pair& pair : pairs) {
-      *pair.candidate = SearchLoop(*pair.candidate, *pair.scan_in_node, searchable->grid,
-                                   searchable->matcher, options_);
+      LoopCandidate asked = *pair.candidate;
+      if (asked.last_look) {
+        asked.min_score =
+            MinScoreOfLastLook(asked.min_score, pair.scan_in_node->returns,
+                               asked.submap_from_node_guess, searchable->grid, options_.last_look);
+      }
+      *pair.candidate =
+          SearchLoop(asked, *pair.scan_in_node, searchable->grid, searchable->matcher, options_);
     }
     matchers_.Trim();
   });

@@ -242,7 +242,6 @@ std::vector<LoopCandidate> PoseGraph::LookLast(int step) {
     if (data.scan->returns.empty()) continue;
     LoopCandidate candidate = CandidateOf(submap, node, 0.0, step);  // no drift: the least window
     candidate.last_look = true;
-    candidate.min_score *= options.min_score_factor;
     loop_search_.SearchAlso(candidate, data.scan);
   }
   std::vector<LoopCandidate> candidates = loop_search_.Collect();

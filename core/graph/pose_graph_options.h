@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/graph/last_look.h"
 #include "core/graph/loop_consistency.h"
 #include "core/graph/second_look.h"
 #include "core/graph/wall_sides.h"

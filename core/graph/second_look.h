@@ -26,14 +26,6 @@ struct SecondLookOptions {
   double min_distance = 2.0;  ///< [m] by which optimizations moved the two since the last look
 };
 
-/// POSE_GRAPH.constraint_builder.last_look, not in Cartographer: after the final optimization all
-/// submaps of one place that no loop ties are searched once more where the map has them, in the
-/// least window. Few poses in it could match by chance, so that less has to match.
-struct LastLookOptions {
-  int num_nodes = 0;              ///< that are searched in a submap of the same place; 0: off
-  double min_score_factor = 1.0;  ///< of the score that a loop must beat otherwise
-};
-
 /// A finished submap as the pose graph has it.
 struct SubmapPlace {
   SubmapId id;

@@ -208,6 +208,8 @@ Rows LastLookRows(LastLookOptions* o) {
        "Likewise, in the least window, after the final optimization; 0: none."},
       {"min_score_factor", &o->min_score_factor, 0, 1, "",
        "Share of the score needed otherwise that is enough then."},
+      {"min_known_share", &o->min_known_share, 0, 1, "",
+       "Of the points so many count, or as many as lie in what the submap knows; 1: all."},
   };
 }
 

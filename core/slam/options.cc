@@ -50,6 +50,7 @@ Options LoopscopePreset() {
   loops.second_look.max_unseen_distance = 0.3;
   loops.last_look.num_nodes = 12;
   loops.last_look.min_score_factor = 0.8;
+  loops.last_look.min_known_share = 0.35;
   loops.loop_closure_rotation_weight = 1e4;
   loops.wall_sides.max_share_from_behind = 0.15;
   loops.ambiguity.max_relative_score = 0.9;

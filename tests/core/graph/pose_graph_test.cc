@@ -131,6 +131,32 @@ TEST(PoseGraph, TakesALastLookForLessThanItsScoreInTheLeastWindow) {
   EXPECT_TRUE(run.graph().LookLast(kStep + 3).empty()) << "a loop ties them";
 }
 
+/// What a last look makes of a node half of whose points lie beyond the submap.
+LoopCandidate LastLookFromTheEdge(double min_known_share) {
+  PoseGraphOptions options = Options();
+  options.constraint_builder.sampling_ratio = 0.0;
+  options.constraint_builder.second_look.min_way = 0.5;
+  options.constraint_builder.last_look = {2, 0.9, min_known_share};
+  ReturnToARoom run(options);
+  PointCloud points = SimulatedRoom().ScanAt(kFirst);
+  const std::size_t num_points = points.size();
+  for (std::size_t i = 0; i < num_points; ++i) points.emplace_back(50.0 + 0.1 * i, 40.0);
+  run.AddNode(kFirst, points, 1);
+  run.graph().FinishSubmap(SubmapId{1}, SimulatedRoom().grid(), kStep);
+  run.graph().CollectLoops(kStep);
+  return run.graph().LookLast(kStep + 1).at(0);
+}
+
+TEST(PoseGraph, AsksLessOfALastLookFromTheEdgeOfWhatASubmapKnows) {
+  const LoopCandidate found = LastLookFromTheEdge(0.35);
+  EXPECT_EQ(found.verdict, Verdict::kAccepted);
+  EXPECT_NEAR(found.min_score, 0.5 * 0.9 * 0.55 + 0.5 * kMinProbability, 0.01);
+  EXPECT_GT(found.score, found.min_score);
+  const LoopCandidate refused = LastLookFromTheEdge(1.0);
+  EXPECT_EQ(refused.verdict, Verdict::kBelowMinScore);
+  EXPECT_NEAR(refused.min_score, 0.9 * 0.55, 1e-12);
+}
+
 /// What a last look makes of a loop that no other supports, with a map that is off by `drift`.
 LoopCandidate LoneLoopOfALastLook(const Pose2& drift) {
   PoseGraphOptions options = Options();

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/graph/last_look.h"
+
+#include <algorithm>
+
+#include "core/matching/match_score.h"
+
+namespace loopscope {
+
+double MinScoreOfLastLook(double min_loop_score, const PointCloud& points_in_node,
+                          const Pose2& submap_from_node_guess, const ProbabilityGrid& grid,
+                          const LastLookOptions& options) {
+  const int num_known = ScoreOfKnown(points_in_node, submap_from_node_guess, grid).num_points;
+  const double known_share = num_known / static_cast<double>(points_in_node.size());
+  const double share = std::max(known_share, options.min_known_share);
+  const double min_mean = options.min_score_factor * min_loop_score;
+  return share * min_mean + (1.0 - share) * kMinProbability;
+}
+
+}  // namespace loopscope
