@@ -22,39 +22,82 @@ constexpr double kMinGain = 1e-3;
 constexpr double kMinDamping = 1e-6;
 constexpr double kMaxDamping = 1e32;
 
-constexpr int kHeld = -1;  ///< submap 0, which is no unknown
+constexpr int kHeld = -1;  ///< in place of the number of an unknown
 
 /// A term of eq. 4: how j was seen from i.
 struct Term {
-  int i = kHeld;  ///< unknowns: submaps from the second on, then nodes
-  int j = kHeld;
+  int i = 0;  ///< poses, see Poses
+  int j = 0;
   Pose2 i_from_j;
   SpaInformation information;
   bool robust = false;  ///< with Huber's loss
-  int coupling = -1;    ///< of the block system, at (j, i); -1 if i is held
+  int unknown_i = kHeld;
+  int unknown_j = kHeld;
+  int coupling = -1;  ///< of the block system, at both unknowns; -1 if one is held
 };
 
-/// Each with its rotation as a matrix, which is needed more often than it changes.
+/// Of the submaps, then of the nodes; each with its rotation as a matrix, which is needed more
+/// often than it changes.
 class Poses {
  public:
-  Poses(const Pose2& held, std::vector<Pose2> unknowns)
-      : held_(held), held_rotation_(held.RotationMatrix()), unknowns_(std::move(unknowns)) {
-    rotations_.reserve(unknowns_.size());
-    for (const Pose2& pose : unknowns_) rotations_.push_back(pose.RotationMatrix());
+  explicit Poses(const GraphProblem& graph) : poses_(graph.global_from_submap) {
+    poses_.insert(poses_.end(), graph.global_from_node.begin(), graph.global_from_node.end());
+    rotations_.reserve(poses_.size());
+    for (const Pose2& pose : poses_) rotations_.push_back(pose.RotationMatrix());
   }
 
-  const Pose2& held() const { return held_; }
-  const std::vector<Pose2>& unknowns() const { return unknowns_; }
-  const Pose2& at(int unknown) const { return unknown == kHeld ? held_ : unknowns_[unknown]; }
-  const Eigen::Matrix2d& rotation(int unknown) const {
-    return unknown == kHeld ? held_rotation_ : rotations_[unknown];
+  const std::vector<Pose2>& all() const { return poses_; }
+  const Pose2& at(int i) const { return poses_[i]; }
+  const Eigen::Matrix2d& rotation(int i) const { return rotations_[i]; }
+
+  /// By [m, m, rad] at `step`.
+  void Move(int i, const Eigen::Vector3d& step) {
+    poses_[i].translation += step.head<2>();
+    poses_[i].rotation = NormalizeAngle(poses_[i].rotation + step.z());
+    rotations_[i] = poses_[i].RotationMatrix();
   }
 
  private:
-  Pose2 held_;
-  Eigen::Matrix2d held_rotation_;
-  std::vector<Pose2> unknowns_;
+  std::vector<Pose2> poses_;
   std::vector<Eigen::Matrix2d> rotations_;
+};
+
+/// Which poses are the unknowns: the submaps that are not held, then such nodes.
+class Unknowns {
+ public:
+  explicit Unknowns(const GraphProblem& graph)
+      : num_submaps_(static_cast<int>(graph.global_from_submap.size())),
+        num_nodes_(static_cast<int>(graph.global_from_node.size())),
+        num_held_submaps_(graph.num_held_submaps),
+        num_held_nodes_(graph.num_held_nodes) {}
+
+  int count() const { return num_free_submaps() + num_nodes_ - num_held_nodes_; }
+  int of(SubmapId id) const {
+    return id.index < num_held_submaps_ ? kHeld : id.index - num_held_submaps_;
+  }
+  int of(NodeId id) const {
+    return id.index < num_held_nodes_ ? kHeld : num_free_submaps() + id.index - num_held_nodes_;
+  }
+  int pose(SubmapId id) const { return id.index; }
+  int pose(NodeId id) const { return num_submaps_ + id.index; }
+
+  Poses Moved(Poses poses, const Eigen::VectorXd& step) const {
+    for (int i = 0; i < count(); ++i) {
+      const bool is_submap = i < num_free_submaps();
+      const int pose = is_submap ? num_held_submaps_ + i
+                                 : num_submaps_ + num_held_nodes_ + i - num_free_submaps();
+      poses.Move(pose, step.segment<3>(3 * i));
+    }
+    return poses;
+  }
+
+ private:
+  int num_free_submaps() const { return num_submaps_ - num_held_submaps_; }
+
+  int num_submaps_;
+  int num_nodes_;
+  int num_held_submaps_;
+  int num_held_nodes_;
 };
 
 /// Eq. 4 as a least squares problem, and the quadratic that it is near some poses:
@@ -63,24 +106,18 @@ class Poses {
 class LeastSquares {
  public:
   LeastSquares(const GraphProblem& graph, double huber_scale)
-      : num_submaps_(static_cast<int>(graph.global_from_submap.size())),
-        num_unknowns_(num_submaps_ - 1 + static_cast<int>(graph.global_from_node.size())),
+      : unknowns_(graph),
         huber_scale_(huber_scale),
         terms_(TermsOf(graph)),
+        held_terms_(SplitOffHeld()),
         system_(MakeSystem()),
-        gradient_(3 * num_unknowns_),
-        diagonal_(3 * num_unknowns_) {}
+        gradient_(3 * unknowns_.count()),
+        diagonal_(3 * unknowns_.count()) {}
 
-  /// Half the sum of eq. 4.
-  double Cost(const Poses& poses) const {
-    double cost = 0.0;
-    for (const Term& term : terms_) {
-      const double square = term.information.SquareOf(ErrorOf(term, poses));
-      const bool is_linear = term.robust && square > huber_scale_ * huber_scale_;
-      cost += 0.5 * (is_linear ? huber_scale_ * (2.0 * std::sqrt(square) - huber_scale_) : square);
-    }
-    return cost;
-  }
+  /// Half the sum of eq. 4, of the terms with an unknown.
+  double Cost(const Poses& poses) const { return CostOf(terms_, poses); }
+  /// Of the others.
+  double HeldCost(const Poses& poses) const { return CostOf(held_terms_, poses); }
 
   void Linearize(const Poses& poses) {
     system_.SetZero();
@@ -94,11 +131,11 @@ class LeastSquares {
         information.rotation *= weight;
       }
       const SpaQuadratic quadratic(error, poses.at(term.i), poses.at(term.j), information);
-      AddUnknown(term.i, quadratic.ii, quadratic.by_i);
-      AddUnknown(term.j, quadratic.jj, quadratic.by_j);
+      AddUnknown(term.unknown_i, quadratic.ii, quadratic.by_i);
+      AddUnknown(term.unknown_j, quadratic.jj, quadratic.by_j);
       if (term.coupling >= 0) system_.coupling(term.coupling) += quadratic.ji;
     }
-    for (int i = 0; i < num_unknowns_; ++i) {
+    for (int i = 0; i < unknowns_.count(); ++i) {
       diagonal_.segment<3>(3 * i) = system_.diagonal(i).diagonal();
     }
   }
@@ -108,48 +145,68 @@ class LeastSquares {
   const Eigen::VectorXd& diagonal() const { return diagonal_; }
   BlockSystem& system() { return system_; }
 
-  int unknown(SubmapId id) const { return id.index == 0 ? kHeld : id.index - 1; }
-  int unknown(NodeId id) const { return num_submaps_ - 1 + id.index; }
+  const Unknowns& unknowns() const { return unknowns_; }
 
  private:
   std::vector<Term> TermsOf(const GraphProblem& graph) const {
     std::vector<Term> terms;
     terms.reserve(graph.constraints.size() + graph.consecutive_nodes.size());
-    const auto add = [&](int i, int j, const Pose2& i_from_j, double translation_weight,
+    const auto add = [&](auto i, NodeId j, const Pose2& i_from_j, double translation_weight,
                          double rotation_weight, bool robust) {
       const SpaInformation information{translation_weight * translation_weight,
                                        rotation_weight * rotation_weight};
-      terms.push_back({i, j, i_from_j, information, robust, -1});
+      terms.push_back({unknowns_.pose(i), unknowns_.pose(j), i_from_j, information, robust,
+                       unknowns_.of(i), unknowns_.of(j), -1});
     };
     for (const Constraint& c : graph.constraints) {
-      add(unknown(c.submap), unknown(c.node), c.submap_from_node, c.translation_weight,
-          c.rotation_weight, c.tag == Constraint::Tag::kInterSubmap);
+      add(c.submap, c.node, c.submap_from_node, c.translation_weight, c.rotation_weight,
+          c.tag == Constraint::Tag::kInterSubmap);
     }
     for (const ConsecutiveNodes& c : graph.consecutive_nodes) {
-      add(unknown(c.first), unknown(c.second), c.first_from_second, c.translation_weight,
-          c.rotation_weight, false);
+      add(c.first, c.second, c.first_from_second, c.translation_weight, c.rotation_weight, false);
     }
     return terms;
+  }
+
+  /// Takes the terms without an unknown out of terms_.
+  std::vector<Term> SplitOffHeld() {
+    const auto held = std::stable_partition(terms_.begin(), terms_.end(), [](const Term& term) {
+      return term.unknown_i != kHeld || term.unknown_j != kHeld;
+    });
+    std::vector<Term> held_terms(held, terms_.end());
+    terms_.erase(held, terms_.end());
+    return held_terms;
+  }
+
+  double CostOf(const std::vector<Term>& terms, const Poses& poses) const {
+    double cost = 0.0;
+    for (const Term& term : terms) {
+      const double square = term.information.SquareOf(ErrorOf(term, poses));
+      const bool is_linear = term.robust && square > huber_scale_ * huber_scale_;
+      cost += 0.5 * (is_linear ? huber_scale_ * (2.0 * std::sqrt(square) - huber_scale_) : square);
+    }
+    return cost;
   }
 
   /// Tells the terms their couplings.
   BlockSystem MakeSystem() {
     std::vector<Term*> coupled;
     for (Term& term : terms_) {
-      assert(term.j > term.i);
-      if (term.i != kHeld) coupled.push_back(&term);
+      if (term.unknown_i == kHeld || term.unknown_j == kHeld) continue;
+      assert(term.unknown_j > term.unknown_i);
+      coupled.push_back(&term);
     }
     std::sort(coupled.begin(), coupled.end(), [](const Term* a, const Term* b) {
-      return std::pair(a->j, a->i) < std::pair(b->j, b->i);
+      return std::pair(a->unknown_j, a->unknown_i) < std::pair(b->unknown_j, b->unknown_i);
     });
     std::vector<BlockSystem::Coupling> couplings;
     for (Term* term : coupled) {
-      const bool is_new = couplings.empty() || couplings.back().row != term->j ||
-                          couplings.back().column != term->i;
-      if (is_new) couplings.push_back({term->j, term->i});
+      const bool is_new = couplings.empty() || couplings.back().row != term->unknown_j ||
+                          couplings.back().column != term->unknown_i;
+      if (is_new) couplings.push_back({term->unknown_j, term->unknown_i});
       term->coupling = static_cast<int>(couplings.size()) - 1;
     }
-    return BlockSystem(num_unknowns_, std::move(couplings));
+    return BlockSystem(unknowns_.count(), std::move(couplings));
   }
 
   static Eigen::Vector3d ErrorOf(const Term& term, const Poses& poses) {
@@ -163,39 +220,23 @@ class LeastSquares {
     gradient_.segment<3>(3 * unknown) += gradient;
   }
 
-  int num_submaps_;
-  int num_unknowns_;
+  Unknowns unknowns_;
   double huber_scale_;
-  std::vector<Term> terms_;
+  std::vector<Term> terms_;       ///< those with an unknown
+  std::vector<Term> held_terms_;  ///< the others
   BlockSystem system_;
   Eigen::VectorXd gradient_;
   Eigen::VectorXd diagonal_;
 };
 
-Poses StartOf(const GraphProblem& graph) {
-  std::vector<Pose2> unknowns(graph.global_from_submap.begin() + 1, graph.global_from_submap.end());
-  unknowns.insert(unknowns.end(), graph.global_from_node.begin(), graph.global_from_node.end());
-  return Poses(graph.global_from_submap.front(), std::move(unknowns));
-}
-
-Poses Moved(const Poses& poses, const Eigen::VectorXd& step) {
-  std::vector<Pose2> moved = poses.unknowns();
-  for (std::size_t i = 0; i < moved.size(); ++i) {
-    moved[i].translation += step.segment<2>(3 * i);
-    moved[i].rotation = NormalizeAngle(moved[i].rotation + step[3 * i + 2]);
-  }
-  return Poses(poses.held(), std::move(moved));
-}
-
-GraphSolution ToSolution(const Poses& poses, int num_submaps, int num_iterations,
+GraphSolution ToSolution(const Poses& poses, std::size_t num_submaps, int num_iterations,
                          double initial_cost, double final_cost) {
-  const std::vector<Pose2>& unknowns = poses.unknowns();
-  const auto first_node = unknowns.begin() + (num_submaps - 1);
-  GraphSolution solution{
-      {poses.held()}, {first_node, unknowns.end()}, num_iterations, initial_cost, final_cost};
-  solution.global_from_submap.insert(solution.global_from_submap.end(), unknowns.begin(),
-                                     first_node);
-  return solution;
+  const auto first_node = poses.all().begin() + static_cast<std::ptrdiff_t>(num_submaps);
+  return {{poses.all().begin(), first_node},
+          {first_node, poses.all().end()},
+          num_iterations,
+          initial_cost,
+          final_cost};
 }
 
 /// How far steps are trusted: as Levenberg and Marquardt have it, in the form of Ceres.
@@ -236,7 +277,7 @@ std::optional<Trial> TryStep(LeastSquares* least_squares, const Poses& poses, do
   const Eigen::VectorXd& gradient = least_squares->gradient();
   const Eigen::VectorXd step = -least_squares->system().Solve(gradient);
   const double promised = 0.5 * (step.dot(damping.cwiseProduct(step)) - step.dot(gradient));
-  Trial trial{Moved(poses, step), 0.0, 0.0};
+  Trial trial{least_squares->unknowns().Moved(poses, step), 0.0, 0.0};
   trial.cost = least_squares->Cost(trial.poses);
   trial.gain = promised > 0.0 ? (cost - trial.cost) / promised : 0.0;
   return trial;
@@ -246,7 +287,7 @@ std::optional<Trial> TryStep(LeastSquares* least_squares, const Poses& poses, do
 std::optional<Eigen::Matrix3d> CovarianceOf(const GraphProblem& problem, int unknown,
                                             LeastSquares* least_squares) {
   constexpr double kMaxResidual = 1e-3;
-  least_squares->Linearize(StartOf(problem));
+  least_squares->Linearize(Poses(problem));
   BlockSystem& system = least_squares->system();
   const Eigen::Index size = least_squares->gradient().size();
   if (!system.Factorize(Eigen::VectorXd::Zero(size))) return std::nullopt;
@@ -270,9 +311,10 @@ GraphSolution Continued(const GraphSolution& first, GraphSolution next) {
 
 GraphSolution SolveGraph(const GraphProblem& problem, const OptimizationProblemOptions& options,
                          const SolverLimits& limits) {
-  assert(!problem.global_from_submap.empty());
+  assert(!problem.global_from_submap.empty() && problem.num_held_submaps >= 1);
   LeastSquares least_squares(problem, options.huber_scale);
-  Poses poses = StartOf(problem);
+  Poses poses(problem);
+  const double held_cost = least_squares.HeldCost(poses);
   const double initial_cost = least_squares.Cost(poses);
   double cost = initial_cost;
   TrustRegion region;
@@ -292,23 +334,24 @@ GraphSolution SolveGraph(const GraphProblem& problem, const OptimizationProblemO
     poses = std::move(trial->poses);
     if (!done) least_squares.Linearize(poses);
   }
-  return ToSolution(poses, static_cast<int>(problem.global_from_submap.size()), num_iterations,
-                    initial_cost, cost);
+  return ToSolution(poses, problem.global_from_submap.size(), num_iterations,
+                    held_cost + initial_cost, held_cost + cost);
 }
 
 std::optional<Eigen::Matrix3d> CovarianceOfNode(const GraphProblem& problem,
                                                 const OptimizationProblemOptions& options,
                                                 NodeId node) {
+  if (node.index < problem.num_held_nodes) return Eigen::Matrix3d(Eigen::Matrix3d::Zero());
   LeastSquares least_squares(problem, options.huber_scale);
-  return CovarianceOf(problem, least_squares.unknown(node), &least_squares);
+  return CovarianceOf(problem, least_squares.unknowns().of(node), &least_squares);
 }
 
 std::optional<Eigen::Matrix3d> CovarianceOfSubmap(const GraphProblem& problem,
                                                   const OptimizationProblemOptions& options,
                                                   SubmapId submap) {
-  if (submap.index == 0) return Eigen::Matrix3d(Eigen::Matrix3d::Zero());
+  if (submap.index < problem.num_held_submaps) return Eigen::Matrix3d(Eigen::Matrix3d::Zero());
   LeastSquares least_squares(problem, options.huber_scale);
-  return CovarianceOf(problem, least_squares.unknown(submap), &least_squares);
+  return CovarianceOf(problem, least_squares.unknowns().of(submap), &least_squares);
 }
 
 }  // namespace loopscope

@@ -12,12 +12,14 @@
 namespace loopscope {
 
 /// The sum of eq. 4: submap poses, node poses and what is known about them. The poses are where the
-/// search starts; submap 0 stays where it is.
+/// search starts; the first ones stay where they are.
 struct GraphProblem {
   std::vector<Pose2> global_from_submap;
   std::vector<Pose2> global_from_node;
   std::vector<Constraint> constraints;
   std::vector<ConsecutiveNodes> consecutive_nodes;
+  int num_held_submaps = 1;  ///< at least 1
+  int num_held_nodes = 0;
 };
 
 struct GraphSolution {
@@ -44,11 +46,11 @@ GraphSolution SolveGraph(const GraphProblem& problem, const OptimizationProblemO
                          const SolverLimits& limits);
 
 /// Covariance [m, m, rad] of the pose of a node in the global frame, at the poses of `problem`.
-/// Nothing if the problem does not determine the pose.
+/// Nothing if the problem does not determine the pose; zero if it is held.
 std::optional<Eigen::Matrix3d> CovarianceOfNode(const GraphProblem& problem,
                                                 const OptimizationProblemOptions& options,
                                                 NodeId node);
-/// Likewise of a submap; zero for submap 0, which is held.
+/// Likewise of a submap.
 std::optional<Eigen::Matrix3d> CovarianceOfSubmap(const GraphProblem& problem,
                                                   const OptimizationProblemOptions& options,
                                                   SubmapId submap);

@@ -16,6 +16,9 @@ namespace {
 /// Loops near the bound could come and go for ever.
 constexpr int kMaxNumFinalRounds = 10;
 
+/// Before what is new, so that its loops find something that gives way.
+constexpr int kNumSubmapsThatYield = 20;
+
 }  // namespace
 
 PoseGraph::PoseGraph(const PoseGraphOptions& options, int num_threads)
@@ -343,25 +346,44 @@ LoopDrift PoseGraph::DriftOf(const LoopCandidate& candidate) const {
           node_ways_[candidate.node.index], node_ways_[submap.first_node.index]};
 }
 
-GraphSolution PoseGraph::Optimize() { return Solve(LoopsHaveDoubled(), false); }
-
-GraphSolution PoseGraph::OptimizeFully() { return Solve(LoopsHaveDoubled(), true); }
-
-GraphSolution PoseGraph::OptimizeAnew() { return Solve(true, true); }
-
-bool PoseGraph::LoopsHaveDoubled() const {
-  return loop_drifts_.size() >= 2 * num_loops_when_all_were_judged_;
+GraphSolution PoseGraph::Optimize() {
+  const OptimizationProblemOptions& options = options_.optimization_problem;
+  const std::size_t num_judged = NumJudgedAlready();
+  GraphProblem problem = Problem();
+  if (num_judged > 0) HoldWhatIsOld(&problem);
+  return Adopt(SolveGraphWithoutOutliers(problem, num_judged, options,
+                                         {options.max_num_iterations, options.function_tolerance},
+                                         options.outliers.max_num_rounds));
 }
 
-GraphSolution PoseGraph::Solve(bool judges_all, bool fully) {
-  if (judges_all) num_loops_when_all_were_judged_ = loop_drifts_.size();
-  const OptimizationProblemOptions& options = options_.optimization_problem;
-  const SolverLimits limits =
-      fully ? SolverLimits{options_.max_num_final_iterations}
-            : SolverLimits{options.max_num_iterations, options.function_tolerance};
-  return Adopt(
-      SolveGraphWithoutOutliers(Problem(), judges_all ? 0 : num_judged_, options, limits,
-                                fully ? kMaxNumFinalRounds : options.outliers.max_num_rounds));
+GraphSolution PoseGraph::OptimizeFully() { return SolveFully(NumJudgedAlready()); }
+
+GraphSolution PoseGraph::OptimizeAnew() { return SolveFully(0); }
+
+GraphSolution PoseGraph::SolveFully(std::size_t num_judged) {
+  return Adopt(SolveGraphWithoutOutliers(Problem(), num_judged, options_.optimization_problem,
+                                         {options_.max_num_final_iterations}, kMaxNumFinalRounds));
+}
+
+std::size_t PoseGraph::NumJudgedAlready() {
+  if (loop_drifts_.size() < 2 * num_loops_when_all_were_judged_) return num_judged_;
+  num_loops_when_all_were_judged_ = loop_drifts_.size();
+  return 0;
+}
+
+void PoseGraph::HoldWhatIsOld(GraphProblem* problem) const {
+  if (options_.min_num_held_nodes == 0) return;
+  int first_moving = static_cast<int>(submaps_.size()) - 1;
+  for (std::size_t i = num_judged_; i < constraints_.size(); ++i) {
+    const Constraint& c = constraints_[i];
+    const SubmapId node_submap = nodes_[c.node.index].first_submap;
+    first_moving = std::min({first_moving, c.submap.index, node_submap.index});
+  }
+  first_moving = std::max(first_moving - kNumSubmapsThatYield, 0);
+  const int num_held_nodes = submaps_[first_moving].first_node.index;
+  if (num_held_nodes < options_.min_num_held_nodes) return;
+  problem->num_held_submaps = first_moving;
+  problem->num_held_nodes = num_held_nodes;
 }
 
 GraphProblem PoseGraph::Problem() const {

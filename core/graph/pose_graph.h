@@ -48,10 +48,11 @@ class PoseGraph {
 
   /// Optimizes all poses, which become the estimate, without loops that the others contradict, see
   /// OutlierOptions. Those that were left out before are tried again only where they agree, until
-  /// loops have doubled. No longer than on the way: the next optimization goes on.
+  /// loops have doubled. No longer than on the way: the next optimization goes on. In a large map
+  /// only what is new moves, and what its loops tie it to, see PoseGraphOptions.
   GraphSolution Optimize();
 
-  /// Likewise, to the end.
+  /// Likewise of all, to the end.
   GraphSolution OptimizeFully();
 
   /// Likewise, for good: all loops are tried.
@@ -78,10 +79,15 @@ class PoseGraph {
   /// Judges the candidates that were searched, and takes those accepted into the graph.
   void TakeIn(std::vector<LoopCandidate>* candidates, int step);
   GraphProblem Problem() const;
-  /// Since all were judged last: often enough to correct a wrong choice, so seldom that the cost of
-  /// a loop stays bounded.
-  bool LoopsHaveDoubled() const;
-  GraphSolution Solve(bool judges_all, bool fully);
+  /// Of constraints_: those whose verdict stands. None when loops have doubled since all were
+  /// judged, which is to be done then: often enough to correct a wrong choice, so seldom that the
+  /// cost of a loop stays bounded.
+  std::size_t NumJudgedAlready();
+  /// All of the graph before what came since the last optimization, and before what its loops tie
+  /// it to, if that is much.
+  void HoldWhatIsOld(GraphProblem* problem) const;
+  /// Of the first `num_judged` of constraints_ only those that were left out may be left out again.
+  GraphSolution SolveFully(std::size_t num_judged);
   /// Makes the solution, rounded as it is recorded, the state.
   GraphSolution Adopt(GraphSolution solution);
   /// Searches neighbours of the loops that stand alone, where those have them.

@@ -90,6 +90,10 @@ struct PoseGraphOptions {
   /// Not in Cartographer: nor before this share of all nodes is new. So what optimizations cost a
   /// node does not grow with the map.
   double optimize_every_share = 0.0;
+  /// Not in Cartographer: an optimization on the way holds the poses of all that is older than what
+  /// is new and what that has loops with, if these are so many nodes; 0: never. The final one moves
+  /// all.
+  int min_num_held_nodes = 0;
   ConstraintBuilderOptions constraint_builder;
   double matcher_translation_weight = 5e2;  ///< of INTRA_SUBMAP constraints
   double matcher_rotation_weight = 1.6e3;

@@ -294,7 +294,10 @@ Rows PoseGraphRows(PoseGraphOptions* o) {
                 "All poses are optimized after so many new nodes; 0: never, and no loops."},
                {"optimize_every_share", &o->optimize_every_share, 0, 1, "",
                 "And not before the new ones are this share of all nodes, so that the work for a "
-                "node does not grow with the map."}};
+                "node does not grow with the map."},
+               {"min_num_held_nodes", &o->min_num_held_nodes, 0, kMaxCount, "",
+                "What is older than the new nodes and all that these have loops with does not move "
+                "until the end, if it is so many nodes; 0: it does."}};
   Append("constraint_builder.", ConstraintBuilderRows(&o->constraint_builder), &rows);
   Append("",
          {{"matcher_translation_weight", &o->matcher_translation_weight, 0, kMaxWeight, "1/m",

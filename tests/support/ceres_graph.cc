@@ -60,7 +60,11 @@ GraphSolution SolveGraphWithCeres(const GraphProblem& graph,
     add({c.first_from_second, c.translation_weight, c.rotation_weight}, nullptr,
         &nodes[c.first.index], &nodes[c.second.index]);
   }
-  problem.SetParameterBlockConstant(submaps.front().data());
+  const auto hold = [&](Block* block) {
+    if (problem.HasParameterBlock(block->data())) problem.SetParameterBlockConstant(block->data());
+  };
+  for (int i = 0; i < graph.num_held_submaps; ++i) hold(&submaps[i]);
+  for (int i = 0; i < graph.num_held_nodes; ++i) hold(&nodes[i]);
   ceres::Solver::Options solver_options;
   solver_options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
   solver_options.max_num_iterations = max_num_iterations;

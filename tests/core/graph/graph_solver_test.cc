@@ -198,6 +198,28 @@ TEST(SolveGraph, ReachesTheCostThatCeresReaches) {
   }
 }
 
+TEST(SolveGraph, ReachesTheCostThatCeresReachesWhereOldPosesAreHeld) {
+  for (int seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE(seed);
+    GraphProblem problem = MakeNoisyProblem(seed, true);
+    problem.num_held_submaps = 1 + seed % 2;
+    problem.num_held_nodes = kNodesPerSubmap + seed;
+    const GraphSolution ours = SolveGraph(problem, {}, {200});
+    const GraphSolution theirs = SolveGraphWithCeres(problem, {}, 200);
+    EXPECT_NEAR(ours.initial_cost, theirs.initial_cost, 1e-9 * theirs.initial_cost);
+    EXPECT_NEAR(ours.final_cost, theirs.final_cost, 1e-5 * theirs.final_cost);
+    for (int i = 0; i < problem.num_held_submaps; ++i) {
+      EXPECT_EQ(ours.global_from_submap[i], problem.global_from_submap[i]) << i;
+    }
+    for (int i = 0; i < problem.num_held_nodes; ++i) {
+      EXPECT_EQ(ours.global_from_node[i], problem.global_from_node[i]) << i;
+    }
+    for (std::size_t i = problem.num_held_nodes; i < problem.global_from_node.size(); ++i) {
+      EXPECT_THAT(ours.global_from_node[i], PoseNear(theirs.global_from_node[i], 2e-3, 2e-3));
+    }
+  }
+}
+
 /// The residuals of a problem without Huber loss at poses moved by `delta`: three numbers for each
 /// submap but the first, then for each node.
 Eigen::VectorXd ResidualsAt(const GraphProblem& problem, const Eigen::VectorXd& delta) {
@@ -271,8 +293,12 @@ TEST(Covariance, IsTheInverseOfTheNormalEquations) {
   }
 }
 
-TEST(Covariance, OfSubmap0IsZero) {
-  EXPECT_EQ(*CovarianceOfSubmap(SolvedProblem(), {}, SubmapId{0}), Eigen::Matrix3d::Zero());
+TEST(Covariance, OfWhatIsHeldIsZero) {
+  GraphProblem problem = SolvedProblem();
+  EXPECT_EQ(*CovarianceOfSubmap(problem, {}, SubmapId{0}), Eigen::Matrix3d::Zero());
+  problem.num_held_nodes = 3;
+  EXPECT_EQ(*CovarianceOfNode(problem, {}, NodeId{2}), Eigen::Matrix3d::Zero());
+  EXPECT_GT(CovarianceOfNode(problem, {}, NodeId{3})->trace(), 0.0);
 }
 
 TEST(Covariance, ShrinksWithALoop) {

@@ -131,6 +131,42 @@ TEST(PoseGraph, TakesALastLookForLessThanItsScoreInTheLeastWindow) {
   EXPECT_TRUE(run.graph().LookLast(kStep + 3).empty()) << "a loop ties them";
 }
 
+/// Where optimizations of a single iteration leave the first node that came back to the room, when
+/// a long way was added to it, when one more node was, and in the end. None but the last gets to
+/// the end by itself.
+std::vector<Pose2> PosesOfANodeThatGotOld(int min_num_held_nodes) {
+  PoseGraphOptions options = Options();
+  options.min_num_held_nodes = min_num_held_nodes;
+  options.optimization_problem.max_num_iterations = 1;
+  ReturnToARoom run(options);
+  run.ComeTo(kFirst);
+  const auto add_submap = [&](int submap) {
+    const Pose2 local_from_node(10.0 * submap, 0.0, 0.0);
+    run.graph().AddSubmap(local_from_node);
+    run.AddNode(local_from_node, {}, submap);
+  };
+  for (int submap = 2; submap < 30; ++submap) add_submap(submap);
+  std::vector<Pose2> poses;
+  run.graph().CollectLoops(kStep);
+  poses.push_back(run.graph().Optimize().global_from_node[1]);
+  add_submap(30);
+  run.graph().CollectLoops(kStep + 1);
+  poses.push_back(run.graph().Optimize().global_from_node[1]);
+  poses.push_back(run.graph().OptimizeFully().global_from_node[1]);
+  return poses;
+}
+
+TEST(PoseGraph, HoldsWhatIsOldUntilTheEndIfItIsMuch) {
+  const std::vector<Pose2> held = PosesOfANodeThatGotOld(2);
+  EXPECT_EQ(held[1], held[0]);
+  EXPECT_NE(held[2], held[0]);
+  for (const int min_num_held_nodes : {0, 50}) {
+    const std::vector<Pose2> moved = PosesOfANodeThatGotOld(min_num_held_nodes);
+    EXPECT_NE(moved[1], moved[0]) << min_num_held_nodes;
+    EXPECT_THAT(moved[2], PoseNear(held[2], 1e-3, 1e-3)) << min_num_held_nodes;
+  }
+}
+
 /// What a last look makes of a node half of whose points lie beyond the submap.
 LoopCandidate LastLookFromTheEdge(double min_known_share) {
   PoseGraphOptions options = Options();
