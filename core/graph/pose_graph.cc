@@ -163,9 +163,10 @@ LoopGate PoseGraph::GateOf(SubmapId submap, const Pose2& submap_from_node_guess,
 }
 
 bool PoseGraph::OptimizationIsDue() const {
+  const double share = options_.optimize_every_share * static_cast<double>(nodes_.size());
+  const double min_num_new = std::min<double>(share, options_.optimize_at_latest_after_n_nodes);
   return SearchesLoops() && num_nodes_since_optimization_ >= options_.optimize_every_n_nodes &&
-         num_nodes_since_optimization_ >=
-             options_.optimize_every_share * static_cast<double>(nodes_.size());
+         num_nodes_since_optimization_ >= min_num_new;
 }
 
 std::vector<LoopCandidate> PoseGraph::CollectLoops(int step) {
@@ -219,9 +220,12 @@ DriftShare PoseGraph::PredictedDriftShare() const {
 
 void PoseGraph::LookAgain(int step) {
   if (!SearchesLoops()) return;
+  std::vector<SubmapPlace> places;
+  for (std::size_t i = 0; i < num_looked_at_; ++i) {
+    places.push_back(PlaceOf(finished_submaps_[i]));
+  }
   std::map<SubmapId, std::vector<double>> ways;
-  for (const auto& [submap, node] :
-       second_look_.Choose(FinishedPlaces(num_looked_at_), global_from_node_, node_ways_)) {
+  for (const auto& [submap, node] : second_look_.Choose(places, global_from_node_, node_ways_)) {
     const NodeData& data = nodes_[node.index];
     if (data.scan->returns.empty()) continue;
     std::vector<double>& ways_from_submap = ways[submap];
@@ -238,9 +242,12 @@ void PoseGraph::LookAgain(int step) {
 std::vector<LoopCandidate> PoseGraph::LookLast(int step) {
   const LastLookOptions& options = options_.constraint_builder.last_look;
   if (!SearchesLoops()) return {};
+  std::vector<SubmapPlace> places;
+  for (SubmapId id{0}; id.index < static_cast<int>(submaps_.size()); ++id.index) {
+    places.push_back(PlaceOf(id));
+  }
   for (const auto& [submap, node] :
-       second_look_.ChooseOfUntied(FinishedPlaces(finished_submaps_.size()), global_from_node_,
-                                   node_ways_, options.num_nodes)) {
+       second_look_.ChooseOfUntied(places, global_from_node_, node_ways_, options.num_nodes)) {
     const NodeData& data = nodes_[node.index];
     if (data.scan->returns.empty()) continue;
     LoopCandidate candidate = CandidateOf(submap, node, 0.0, step);  // no drift: the least window
@@ -252,15 +259,14 @@ std::vector<LoopCandidate> PoseGraph::LookLast(int step) {
   return candidates;
 }
 
-std::vector<SubmapPlace> PoseGraph::FinishedPlaces(std::size_t num_submaps) const {
-  std::vector<SubmapPlace> places;
-  for (std::size_t i = 0; i < num_submaps; ++i) {
-    const SubmapId id = finished_submaps_[i];
-    const SubmapData& data = submaps_[id.index];
-    places.push_back({id, global_from_submap_[id.index], data.node_box, data.first_node,
-                      data.num_nodes, &*data.seen});
-  }
-  return places;
+SubmapPlace PoseGraph::PlaceOf(SubmapId id) const {
+  const SubmapData& data = submaps_[id.index];
+  return {id,
+          global_from_submap_[id.index],
+          data.node_box,
+          data.first_node,
+          data.num_nodes,
+          data.seen ? &*data.seen : nullptr};
 }
 
 LoopDrifts PoseGraph::DriftsOf(const std::vector<LoopCandidate>& candidates) const {

@@ -75,7 +75,7 @@ class PoseGraph {
   static bool LiesIn(const NodeData& node, SubmapId submap);
   /// Searches submaps of the same place that no loop ties.
   void LookAgain(int step);
-  std::vector<SubmapPlace> FinishedPlaces(std::size_t num_submaps) const;
+  SubmapPlace PlaceOf(SubmapId id) const;
   /// Judges the candidates that were searched, and takes those accepted into the graph.
   void TakeIn(std::vector<LoopCandidate>* candidates, int step);
   GraphProblem Problem() const;

@@ -66,11 +66,11 @@ struct SamePlace {
   bool AddPairs(const SubmapPlace& first, const SubmapPlace& second,
                 std::vector<SecondLook::Pair>* pairs) const {
     const std::size_t num_pairs = pairs->size();
-    for (const NodeId node : Spread(NearNodes(first, second), num_nodes)) {
-      pairs->emplace_back(first.id, node);
-    }
-    for (const NodeId node : Spread(NearNodes(second, first), num_nodes)) {
-      pairs->emplace_back(second.id, node);
+    for (const auto& [submap, other] : {std::pair(&first, &second), std::pair(&second, &first)}) {
+      if (submap->seen == nullptr) continue;
+      for (const NodeId node : Spread(NearNodes(*submap, *other), num_nodes)) {
+        pairs->emplace_back(submap->id, node);
+      }
     }
     return pairs->size() > num_pairs;
   }

@@ -26,14 +26,14 @@ struct SecondLookOptions {
   double min_distance = 2.0;  ///< [m] by which optimizations moved the two since the last look
 };
 
-/// A finished submap as the pose graph has it.
+/// A submap as the pose graph has it.
 struct SubmapPlace {
   SubmapId id;
   Pose2 global_from_submap;
   Eigen::AlignedBox2d node_box;  ///< around its nodes, in its frame
   NodeId first_node;
   int num_nodes = 0;
-  const SeenArea* seen = nullptr;  ///< not null
+  const SeenArea* seen = nullptr;  ///< null if it is not finished: nothing is searched in it
 };
 
 /// Finds submaps of the same place that no loop ties, each time that optimizations have moved them.

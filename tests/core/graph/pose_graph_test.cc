@@ -131,6 +131,30 @@ TEST(PoseGraph, TakesALastLookForLessThanItsScoreInTheLeastWindow) {
   EXPECT_TRUE(run.graph().LookLast(kStep + 3).empty()) << "a loop ties them";
 }
 
+/// At how many nodes the first optimizations are due, up to 16.
+std::vector<int> WhenOptimizationsAreDue(const PoseGraphOptions& options) {
+  PoseGraph graph(options, 1);
+  graph.AddSubmap(Pose2());
+  std::vector<int> due;
+  for (int i = 1; i <= 16; ++i) {
+    graph.AddNode({Pose2(i, 0.0, 0.0), std::nullopt, SubmapId{0}, 1, ScanOf({})}, i);
+    if (!graph.OptimizationIsDue()) continue;
+    graph.Optimize();
+    due.push_back(i);
+  }
+  return due;
+}
+
+TEST(PoseGraph, OptimizesAfterAShareOfTheNodesButNotTooSeldom) {
+  PoseGraphOptions options = Options();
+  options.optimize_every_n_nodes = 2;
+  EXPECT_THAT(WhenOptimizationsAreDue(options), testing::ElementsAre(2, 4, 6, 8, 10, 12, 14, 16));
+  options.optimize_every_share = 0.5;
+  EXPECT_THAT(WhenOptimizationsAreDue(options), testing::ElementsAre(2, 4, 8, 16));
+  options.optimize_at_latest_after_n_nodes = 3;
+  EXPECT_THAT(WhenOptimizationsAreDue(options), testing::ElementsAre(2, 4, 7, 10, 13, 16));
+}
+
 /// Where optimizations of a single iteration leave the first node that came back to the room, when
 /// a long way was added to it, when one more node was, and in the end. None but the last gets to
 /// the end by itself.

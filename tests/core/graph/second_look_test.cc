@@ -60,6 +60,12 @@ TEST_F(SecondLookTest, TakesAFewNodesOfEachInTheOther) {
   EXPECT_THAT(Choose(&look), ElementsAre(PairOf(0, 12), PairOf(0, 17), PairOf(5, 2), PairOf(5, 7)));
 }
 
+TEST_F(SecondLookTest, TakesNoNodesInASubmapThatIsNotFinished) {
+  submaps_[1].seen = nullptr;
+  EXPECT_THAT(SecondLook(options_).ChooseOfUntied(submaps_, global_from_node_, node_ways_, 2),
+              ElementsAre(PairOf(0, 12), PairOf(0, 17)));
+}
+
 TEST_F(SecondLookTest, TakesOnlyNodesThatAreNear) {
   Move(2.0);
   for (int i = 11; i < 20; ++i) global_from_node_[i] = Pose2(0.0, 3.1, 0.0);
