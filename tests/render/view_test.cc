@@ -207,6 +207,32 @@ TEST(BuildSceneTest, ACacheChangesNoScene) {
   EXPECT_EQ(NumProps(cached), NumProps(fresh));
 }
 
+/// The texts of the match of a scan, had it begun there.
+std::vector<std::string> TextsOfMatch(std::optional<MatchStart> start) {
+  ScanLog log = SimulateSmallLoop().log;
+  log.scans.resize(12);
+  Recording recording(log, SmallLoopOptions());
+  Slam slam(recording.log(), recording.options(), 1);
+  for (int scan = 0; scan < 12; ++scan) {
+    SlamUpdate update = slam.AddScan(scan);
+    if (scan == 10) update.step.match_start = start;
+    recording.Append(std::move(update));
+  }
+  ViewRequest request = RequestFor(ViewKind::kMatch);
+  request.step = 10;
+  return TextsOf(BuildScene(recording, request).annotation);
+}
+
+TEST(BuildSceneTest, TellsWhereAMatchBeganUnlessWherePredicted) {
+  EXPECT_THAT(TextsOfMatch(MatchStart::kNone), Contains("nowhere: not matched"));
+  EXPECT_THAT(TextsOfMatch(MatchStart::kVelocity), Contains("by the velocity"));
+  EXPECT_THAT(TextsOfMatch(MatchStart::kRecovery), Contains("by a wide search"));
+  for (const auto start : {std::optional<MatchStart>(), std::optional(MatchStart::kPrior)}) {
+    EXPECT_THAT(TextsOfMatch(start), Not(Contains("match began")));
+  }
+  EXPECT_THAT(TextsOfMatch(MatchStart::kNone), Contains("match began"));
+}
+
 TEST(BuildSceneTest, RefusesWhatCannotBeDrawnSayingWhatWasExpected) {
   ViewRequest request = RequestFor(ViewKind::kMap);
   request.layers = std::set<LayerKind>{LayerKind::kTree};
