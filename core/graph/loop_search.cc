@@ -12,8 +12,8 @@ namespace {
 /// Larger ones ask for matchers less often, but keep the threads waiting for longer.
 constexpr std::size_t kBatchSize = 32;
 
-/// Of grids and precomputed grids that are kept: those of some 30 submaps of a building.
-constexpr std::size_t kMaxBytes = std::size_t{80} << 20;
+/// Of grids and precomputed grids that are kept: those of some 60 submaps of a building.
+constexpr std::size_t kMaxBytes = std::size_t{160} << 20;
 
 /// Of a pose far from the one found that scores nearly as well; 0 if there is none.
 double RivalScore(const LoopCandidate& found, const PointCloud& points_in_node,
