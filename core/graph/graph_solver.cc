@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/graph/block_system.h"
+#include "core/graph/graph_unknowns.h"
 #include "core/graph/spa_cost.h"
 
 namespace loopscope {
@@ -22,82 +23,16 @@ constexpr double kMinGain = 1e-3;
 constexpr double kMinDamping = 1e-6;
 constexpr double kMaxDamping = 1e32;
 
-constexpr int kHeld = -1;  ///< in place of the number of an unknown
-
 /// A term of eq. 4: how j was seen from i.
 struct Term {
-  int i = 0;  ///< poses, see Poses
+  int i = 0;  ///< poses, see GraphPoses
   int j = 0;
   Pose2 i_from_j;
   SpaInformation information;
   bool robust = false;  ///< with Huber's loss
-  int unknown_i = kHeld;
-  int unknown_j = kHeld;
+  int unknown_i = GraphUnknowns::kHeld;
+  int unknown_j = GraphUnknowns::kHeld;
   int coupling = -1;  ///< of the block system, at both unknowns; -1 if one is held
-};
-
-/// Of the submaps, then of the nodes; each with its rotation as a matrix, which is needed more
-/// often than it changes.
-class Poses {
- public:
-  explicit Poses(const GraphProblem& graph) : poses_(graph.global_from_submap) {
-    poses_.insert(poses_.end(), graph.global_from_node.begin(), graph.global_from_node.end());
-    rotations_.reserve(poses_.size());
-    for (const Pose2& pose : poses_) rotations_.push_back(pose.RotationMatrix());
-  }
-
-  const std::vector<Pose2>& all() const { return poses_; }
-  const Pose2& at(int i) const { return poses_[i]; }
-  const Eigen::Matrix2d& rotation(int i) const { return rotations_[i]; }
-
-  /// By [m, m, rad] at `step`.
-  void Move(int i, const Eigen::Vector3d& step) {
-    poses_[i].translation += step.head<2>();
-    poses_[i].rotation = NormalizeAngle(poses_[i].rotation + step.z());
-    rotations_[i] = poses_[i].RotationMatrix();
-  }
-
- private:
-  std::vector<Pose2> poses_;
-  std::vector<Eigen::Matrix2d> rotations_;
-};
-
-/// Which poses are the unknowns: the submaps that are not held, then such nodes.
-class Unknowns {
- public:
-  explicit Unknowns(const GraphProblem& graph)
-      : num_submaps_(static_cast<int>(graph.global_from_submap.size())),
-        num_nodes_(static_cast<int>(graph.global_from_node.size())),
-        num_held_submaps_(graph.num_held_submaps),
-        num_held_nodes_(graph.num_held_nodes) {}
-
-  int count() const { return num_free_submaps() + num_nodes_ - num_held_nodes_; }
-  int of(SubmapId id) const {
-    return id.index < num_held_submaps_ ? kHeld : id.index - num_held_submaps_;
-  }
-  int of(NodeId id) const {
-    return id.index < num_held_nodes_ ? kHeld : num_free_submaps() + id.index - num_held_nodes_;
-  }
-  int pose(SubmapId id) const { return id.index; }
-  int pose(NodeId id) const { return num_submaps_ + id.index; }
-
-  Poses Moved(Poses poses, const Eigen::VectorXd& step) const {
-    for (int i = 0; i < count(); ++i) {
-      const bool is_submap = i < num_free_submaps();
-      const int pose = is_submap ? num_held_submaps_ + i
-                                 : num_submaps_ + num_held_nodes_ + i - num_free_submaps();
-      poses.Move(pose, step.segment<3>(3 * i));
-    }
-    return poses;
-  }
-
- private:
-  int num_free_submaps() const { return num_submaps_ - num_held_submaps_; }
-
-  int num_submaps_;
-  int num_nodes_;
-  int num_held_submaps_;
-  int num_held_nodes_;
 };
 
 /// Eq. 4 as a least squares problem, and the quadratic that it is near some poses:
@@ -115,11 +50,11 @@ class LeastSquares {
         diagonal_(3 * unknowns_.count()) {}
 
   /// Half the sum of eq. 4, of the terms with an unknown.
-  double Cost(const Poses& poses) const { return CostOf(terms_, poses); }
+  double Cost(const GraphPoses& poses) const { return CostOf(terms_, poses); }
   /// Of the others.
-  double HeldCost(const Poses& poses) const { return CostOf(held_terms_, poses); }
+  double HeldCost(const GraphPoses& poses) const { return CostOf(held_terms_, poses); }
 
-  void Linearize(const Poses& poses) {
+  void Linearize(const GraphPoses& poses) {
     system_.SetZero();
     gradient_.setZero();
     for (const Term& term : terms_) {
@@ -145,7 +80,7 @@ class LeastSquares {
   const Eigen::VectorXd& diagonal() const { return diagonal_; }
   BlockSystem& system() { return system_; }
 
-  const Unknowns& unknowns() const { return unknowns_; }
+  const GraphUnknowns& unknowns() const { return unknowns_; }
 
  private:
   std::vector<Term> TermsOf(const GraphProblem& graph) const {
@@ -171,14 +106,14 @@ class LeastSquares {
   /// Takes the terms without an unknown out of terms_.
   std::vector<Term> SplitOffHeld() {
     const auto held = std::stable_partition(terms_.begin(), terms_.end(), [](const Term& term) {
-      return term.unknown_i != kHeld || term.unknown_j != kHeld;
+      return term.unknown_i != GraphUnknowns::kHeld || term.unknown_j != GraphUnknowns::kHeld;
     });
     std::vector<Term> held_terms(held, terms_.end());
     terms_.erase(held, terms_.end());
     return held_terms;
   }
 
-  double CostOf(const std::vector<Term>& terms, const Poses& poses) const {
+  double CostOf(const std::vector<Term>& terms, const GraphPoses& poses) const {
     double cost = 0.0;
     for (const Term& term : terms) {
       const double square = term.information.SquareOf(ErrorOf(term, poses));
@@ -192,7 +127,8 @@ class LeastSquares {
   BlockSystem MakeSystem() {
     std::vector<Term*> coupled;
     for (Term& term : terms_) {
-      if (term.unknown_i == kHeld || term.unknown_j == kHeld) continue;
+      if (term.unknown_i == GraphUnknowns::kHeld || term.unknown_j == GraphUnknowns::kHeld)
+        continue;
       assert(term.unknown_j > term.unknown_i);
       coupled.push_back(&term);
     }
@@ -209,18 +145,18 @@ class LeastSquares {
     return BlockSystem(unknowns_.count(), std::move(couplings));
   }
 
-  static Eigen::Vector3d ErrorOf(const Term& term, const Poses& poses) {
+  static Eigen::Vector3d ErrorOf(const Term& term, const GraphPoses& poses) {
     return GlobalSpaError(term.i_from_j, poses.at(term.i), poses.rotation(term.i),
                           poses.at(term.j));
   }
 
   void AddUnknown(int unknown, const Eigen::Matrix3d& block, const Eigen::Vector3d& gradient) {
-    if (unknown == kHeld) return;
+    if (unknown == GraphUnknowns::kHeld) return;
     system_.diagonal(unknown) += block;
     gradient_.segment<3>(3 * unknown) += gradient;
   }
 
-  Unknowns unknowns_;
+  GraphUnknowns unknowns_;
   double huber_scale_;
   std::vector<Term> terms_;       ///< those with an unknown
   std::vector<Term> held_terms_;  ///< the others
@@ -229,7 +165,7 @@ class LeastSquares {
   Eigen::VectorXd diagonal_;
 };
 
-GraphSolution ToSolution(const Poses& poses, std::size_t num_submaps, int num_iterations,
+GraphSolution ToSolution(const GraphPoses& poses, std::size_t num_submaps, int num_iterations,
                          double initial_cost, double final_cost) {
   const auto first_node = poses.all().begin() + static_cast<std::ptrdiff_t>(num_submaps);
   return {{poses.all().begin(), first_node},
@@ -264,13 +200,13 @@ class TrustRegion {
 
 /// A step from the poses that `least_squares` is linearized at.
 struct Trial {
-  Poses poses;
+  GraphPoses poses;
   double cost = 0.0;
   double gain = 0.0;  ///< share of the gain that the quadratic promised
 };
 
 /// Nothing if the damped quadratic has no minimum.
-std::optional<Trial> TryStep(LeastSquares* least_squares, const Poses& poses, double cost,
+std::optional<Trial> TryStep(LeastSquares* least_squares, const GraphPoses& poses, double cost,
                              const TrustRegion& region) {
   const Eigen::VectorXd damping = region.DampingOf(least_squares->diagonal());
   if (!least_squares->system().Factorize(damping)) return std::nullopt;
@@ -287,7 +223,7 @@ std::optional<Trial> TryStep(LeastSquares* least_squares, const Poses& poses, do
 std::optional<Eigen::Matrix3d> CovarianceOf(const GraphProblem& problem, int unknown,
                                             LeastSquares* least_squares) {
   constexpr double kMaxResidual = 1e-3;
-  least_squares->Linearize(Poses(problem));
+  least_squares->Linearize(GraphPoses(problem));
   BlockSystem& system = least_squares->system();
   const Eigen::Index size = least_squares->gradient().size();
   if (!system.Factorize(Eigen::VectorXd::Zero(size))) return std::nullopt;
@@ -313,7 +249,7 @@ GraphSolution SolveGraph(const GraphProblem& problem, const OptimizationProblemO
                          const SolverLimits& limits) {
   assert(!problem.global_from_submap.empty() && problem.num_held_submaps >= 1);
   LeastSquares least_squares(problem, options.huber_scale);
-  Poses poses(problem);
+  GraphPoses poses(problem);
   const double held_cost = least_squares.HeldCost(poses);
   const double initial_cost = least_squares.Cost(poses);
   double cost = initial_cost;
