@@ -94,8 +94,8 @@ struct PoseGraphOptions {
   /// searched in many submaps in wide windows.
   int optimize_at_latest_after_n_nodes = 1'000'000;
   /// Not in Cartographer: an optimization on the way holds the poses of all that is older than what
-  /// is new and what that has loops with, if these are so many nodes; 0: never. The final one moves
-  /// all.
+  /// is new and what that has loops with, if these are so many nodes; 0: never. All move when all
+  /// loops are judged anew, and in the end.
   int min_num_held_nodes = 0;
   ConstraintBuilderOptions constraint_builder;
   double matcher_translation_weight = 5e2;  ///< of INTRA_SUBMAP constraints

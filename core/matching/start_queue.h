@@ -37,6 +37,8 @@ struct SearchSquare {
 /// for.
 class StartQueue {
  public:
+  StartQueue() { squares_.reserve(kUsualNumSquares); }
+
   bool empty() const { return entries_.empty(); }
   const SearchBlock& top() const { return entries_.top().block; }
 
@@ -46,6 +48,7 @@ class StartQueue {
   SearchBlock Pop();
 
  private:
+  static constexpr int kUsualNumSquares = 32;  ///< of a window of a metre, one for each angle
   static constexpr int kNoSquare = -1;
   static constexpr int kTaken = -1;  ///< in place of the sum; less than any
 

@@ -290,16 +290,17 @@ Rows OptimizationProblemRows(OptimizationProblemOptions* o) {
 }
 
 Rows PoseGraphRows(PoseGraphOptions* o) {
-  Rows rows = {{"optimize_every_n_nodes", &o->optimize_every_n_nodes, 0, kMaxCount, "",
-                "All poses are optimized after so many new nodes; 0: never, and no loops."},
-               {"optimize_every_share", &o->optimize_every_share, 0, 1, "",
-                "And not before the new ones are this share of all nodes, so that the work for a "
-                "node does not grow with the map."},
-               {"optimize_at_latest_after_n_nodes", &o->optimize_at_latest_after_n_nodes, 1,
-                kMaxCount, "", "But when there are so many new ones in any case."},
-               {"min_num_held_nodes", &o->min_num_held_nodes, 0, kMaxCount, "",
-                "What is older than the new nodes and all that these have loops with does not move "
-                "until the end, if it is so many nodes; 0: it does."}};
+  Rows rows = {
+      {"optimize_every_n_nodes", &o->optimize_every_n_nodes, 0, kMaxCount, "",
+       "All poses are optimized after so many new nodes; 0: never, and no loops."},
+      {"optimize_every_share", &o->optimize_every_share, 0, 1, "",
+       "And not before the new ones are this share of all nodes, so that the work for a "
+       "node does not grow with the map."},
+      {"optimize_at_latest_after_n_nodes", &o->optimize_at_latest_after_n_nodes, 1, kMaxCount, "",
+       "But when there are so many new ones in any case."},
+      {"min_num_held_nodes", &o->min_num_held_nodes, 0, kMaxCount, "",
+       "What is older than the new nodes and all that these have loops with stays where it "
+       "is until all loops are judged anew, if it is so many nodes; 0: it moves."}};
   Append("constraint_builder.", ConstraintBuilderRows(&o->constraint_builder), &rows);
   Append("",
          {{"matcher_translation_weight", &o->matcher_translation_weight, 0, kMaxWeight, "1/m",
