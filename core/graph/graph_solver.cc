@@ -127,8 +127,9 @@ class LeastSquares {
   BlockSystem MakeSystem() {
     std::vector<Term*> coupled;
     for (Term& term : terms_) {
-      if (term.unknown_i == GraphUnknowns::kHeld || term.unknown_j == GraphUnknowns::kHeld)
+      if (term.unknown_i == GraphUnknowns::kHeld || term.unknown_j == GraphUnknowns::kHeld) {
         continue;
+      }
       assert(term.unknown_j > term.unknown_i);
       coupled.push_back(&term);
     }

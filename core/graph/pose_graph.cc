@@ -354,7 +354,7 @@ LoopDrift PoseGraph::DriftOf(const LoopCandidate& candidate) const {
 
 GraphSolution PoseGraph::Optimize() {
   const OptimizationProblemOptions& options = options_.optimization_problem;
-  const std::size_t num_judged = NumJudgedAlready();
+  const std::size_t num_judged = BeginJudging();
   GraphProblem problem = Problem();
   if (num_judged > 0) HoldWhatIsOld(&problem);
   return Adopt(SolveGraphWithoutOutliers(problem, num_judged, options,
@@ -362,7 +362,7 @@ GraphSolution PoseGraph::Optimize() {
                                          options.outliers.max_num_rounds));
 }
 
-GraphSolution PoseGraph::OptimizeFully() { return SolveFully(NumJudgedAlready()); }
+GraphSolution PoseGraph::OptimizeFully() { return SolveFully(BeginJudging()); }
 
 GraphSolution PoseGraph::OptimizeAnew() { return SolveFully(0); }
 
@@ -371,7 +371,7 @@ GraphSolution PoseGraph::SolveFully(std::size_t num_judged) {
                                          {options_.max_num_final_iterations}, kMaxNumFinalRounds));
 }
 
-std::size_t PoseGraph::NumJudgedAlready() {
+std::size_t PoseGraph::BeginJudging() {
   if (loop_drifts_.size() < 2 * num_loops_when_all_were_judged_) return num_judged_;
   num_loops_when_all_were_judged_ = loop_drifts_.size();
   return 0;

@@ -79,10 +79,10 @@ class PoseGraph {
   /// Judges the candidates that were searched, and takes those accepted into the graph.
   void TakeIn(std::vector<LoopCandidate>* candidates, int step);
   GraphProblem Problem() const;
-  /// Of constraints_: those whose verdict stands. None when loops have doubled since all were
-  /// judged, which is to be done then: often enough to correct a wrong choice, so seldom that the
+  /// Of constraints_ so many whose verdict stands. None when loops have doubled since all were
+  /// judged, which is taken as done: often enough to correct a wrong choice, so seldom that the
   /// cost of a loop stays bounded.
-  std::size_t NumJudgedAlready();
+  std::size_t BeginJudging();
   /// All of the graph before what came since the last optimization, and before what its loops tie
   /// it to, if that is much.
   void HoldWhatIsOld(GraphProblem* problem) const;

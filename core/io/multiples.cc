@@ -3,7 +3,8 @@
 #include "core/io/multiples.h"
 
 #include <cmath>
-#include <cstring>
+
+#include "core/io/bits.h"
 
 namespace loopscope {
 namespace {
@@ -11,18 +12,6 @@ namespace {
 constexpr double kMaxMultiple = 0x1.0p+53;
 
 }  // namespace
-
-std::uint64_t BitsOf(double value) {
-  std::uint64_t bits = 0;
-  std::memcpy(&bits, &value, sizeof(bits));
-  return bits;
-}
-
-double DoubleOf(std::uint64_t bits) {
-  double value = 0.0;
-  std::memcpy(&value, &bits, sizeof(value));
-  return value;
-}
 
 std::int64_t Multiple(double value, double scale) {
   const double multiple = std::round(value * scale);

@@ -10,9 +10,6 @@ namespace loopscope {
 
 // Numbers that are whole multiples of 1 / scale, as are those that once were text or were rounded.
 
-std::uint64_t BitsOf(double value);
-double DoubleOf(std::uint64_t bits);
-
 /// round(value * scale), or 0 if that is nothing that an integer can hold.
 std::int64_t Multiple(double value, double scale);
 double FromMultiple(std::int64_t multiple, double scale);

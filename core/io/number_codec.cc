@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include "core/io/bits.h"
 #include "core/io/multiples.h"
 
 namespace loopscope {

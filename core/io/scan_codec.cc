@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 
+#include "core/io/bits.h"
 #include "core/io/number_codec.h"
 
 namespace loopscope {
@@ -24,18 +24,6 @@ constexpr std::uint64_t kFirstDifference = 2;
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-std::uint32_t BitsOf(float value) {
-  std::uint32_t bits = 0;
-  std::memcpy(&bits, &value, sizeof(bits));
-  return bits;
-}
-
-float FloatOf(std::uint32_t bits) {
-  float value = 0.f;
-  std::memcpy(&value, &bits, sizeof(value));
-  return value;
-}
 
 std::int64_t Multiple(float range, double scale) {
   constexpr float kFarthest = 1e6f;

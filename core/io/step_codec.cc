@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/io/bits.h"
 #include "core/io/multiples.h"
 
 namespace loopscope {

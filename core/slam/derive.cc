@@ -60,15 +60,10 @@ ScanCells CellsOfNode(const Recording& recording, SubmapId submap, NodeId node) 
 
 ProbabilityGrid GridOfSubmap(const Recording& recording, SubmapId submap, int num_nodes) {
   if (num_nodes < 0) num_nodes = recording.submap(submap).num_nodes;
-  return std::move(GridsOfSubmaps(recording, submap, {num_nodes}).front());
-}
-
-std::vector<ProbabilityGrid> GridsOfSubmaps(const Recording& recording, SubmapId first,
-                                            const std::vector<int>& nums_nodes) {
   std::vector<ProbabilityGrid> grids(
-      nums_nodes.size(), ProbabilityGrid(LocalOptions(recording).submaps.grid_resolution));
-  GrowGrids(recording, first, std::vector<int>(nums_nodes.size(), 0), nums_nodes, &grids);
-  return grids;
+      1, ProbabilityGrid(LocalOptions(recording).submaps.grid_resolution));
+  GrowGrids(recording, submap, {0}, {num_nodes}, &grids);
+  return std::move(grids.front());
 }
 
 void GrowGrids(const Recording& recording, SubmapId first, const std::vector<int>& begins,

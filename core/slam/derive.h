@@ -32,14 +32,9 @@ ScanCells CellsOfNode(const Recording& recording, SubmapId submap, NodeId node);
 /// The grid of a submap after its first `num_nodes` nodes; all by default.
 ProbabilityGrid GridOfSubmap(const Recording& recording, SubmapId submap, int num_nodes = -1);
 
-/// The grids of submaps that follow each other from `first` on, each after so many of its first
-/// nodes. Takes little more than half the time of asking for them one by one, for most scans went
-/// into two.
-std::vector<ProbabilityGrid> GridsOfSubmaps(const Recording& recording, SubmapId first,
-                                            const std::vector<int>& nums_nodes);
-
-/// Inserts further nodes into such grids: those from number begins[i] on, of the submap first + i,
-/// until it has the first ends[i] of its nodes.
+/// Inserts nodes into the grids of submaps that follow each other from `first` on: of the submap
+/// first + i those from number begins[i] on, until it has the first ends[i] of its nodes. Takes
+/// little more than half the time of doing so one by one, for most scans went into two.
 void GrowGrids(const Recording& recording, SubmapId first, const std::vector<int>& begins,
                const std::vector<int>& ends, std::vector<ProbabilityGrid>* grids);
 

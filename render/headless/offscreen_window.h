@@ -4,9 +4,10 @@
 
 #include <memory>
 #include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkUnsignedCharArray.h>
 
 #include "render/headless/gl_context.h"
+
+class vtkUnsignedCharArray;
 
 namespace loopscope {
 

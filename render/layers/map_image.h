@@ -35,11 +35,10 @@ Raster RasterFor(const FlatCamera& camera, const Box& frame, double resolution);
 
 /// Puts all grids into one image. Their odds for a pixel are multiplied, as if they were
 /// independent observations (eq. 3); a grid has the highest odds of its known cells there, so that
-/// no wall is lost in a small picture. Pixels that no grid knows are
-/// clear, and far from all grids left out. From the second image on,
-/// which tells that there will be more, most of the last one is remembered, which changes none: as
-/// a recording is stepped through, the grids of all submaps but the last two stay as they are until
-/// poses are optimized.
+/// no wall is lost in a small picture. Pixels that no grid knows are clear, and far from all grids
+/// left out. From the second image on, which tells that there will be more, most of the last one is
+/// remembered, which changes none: as a recording is stepped through, the grids of all submaps but
+/// the last two stay as they are until poses are optimized.
 class MapComposer {
  public:
   MapComposer();

@@ -54,34 +54,35 @@ Pose2 PlainMatchCorrelative(const MatchReplay& match,
   return best.submap_from_scan;
 }
 
-void BM_PlainCorrelativeMatches(benchmark::State& state) {
-  const CorrelativeScanMatcherOptions& options =
-      Run().options().trajectory_builder_2d.real_time_correlative_scan_matcher;
+/// Times `action(match)` for each match of the run.
+template <typename Action>
+void ForEachMatch(benchmark::State& state, const Action& action) {
   for (auto _ : state) {
     for (int step = 0; step < Run().num_steps(); ++step) {
       state.PauseTiming();
       const auto match = ReplayMatch(Run(), step);
       state.ResumeTiming();
-      if (match) benchmark::DoNotOptimize(PlainMatchCorrelative(*match, options));
+      if (match) action(*match);
     }
   }
+}
+
+void BM_PlainCorrelativeMatches(benchmark::State& state) {
+  ForEachMatch(state, [&](const MatchReplay& match) {
+    benchmark::DoNotOptimize(PlainMatchCorrelative(
+        match, Run().options().trajectory_builder_2d.real_time_correlative_scan_matcher));
+  });
 }
 BENCHMARK(BM_PlainCorrelativeMatches)->Unit(benchmark::kMillisecond)->Iterations(1);
 
 void BM_PlainCeresMatches(benchmark::State& state) {
-  const CeresScanMatcherOptions& options = Run().options().trajectory_builder_2d.ceres_scan_matcher;
-  for (auto _ : state) {
-    for (int step = 0; step < Run().num_steps(); ++step) {
-      state.PauseTiming();
-      const auto match = ReplayMatch(Run(), step);
-      state.ResumeTiming();
-      if (!match) continue;
-      const Pose2& prior = match->submap_from_base_prior;
-      benchmark::DoNotOptimize(MatchWithAutomaticDerivatives(
-          match->points, match->grid, prior.translation,
-          match->submap_from_base_correlative.value_or(prior), options));
-    }
-  }
+  ForEachMatch(state, [&](const MatchReplay& match) {
+    const Pose2& prior = match.submap_from_base_prior;
+    benchmark::DoNotOptimize(
+        MatchWithAutomaticDerivatives(match.points, match.grid, prior.translation,
+                                      match.submap_from_base_correlative.value_or(prior),
+                                      Run().options().trajectory_builder_2d.ceres_scan_matcher));
+  });
 }
 BENCHMARK(BM_PlainCeresMatches)->Unit(benchmark::kMillisecond)->Iterations(1);
 

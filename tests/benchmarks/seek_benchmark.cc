@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -12,6 +11,7 @@
 #include "core/simulation/random.h"
 #include "core/slam/slam.h"
 #include "render/headless/painter.h"
+#include "tests/support/datasets.h"
 #include "tests/support/temporary_folder.h"
 
 namespace loopscope {
@@ -20,11 +20,7 @@ namespace {
 // What one waits for with a long recording: the public log `intel`, 9247 scans, which comes with
 // the data sets.
 
-std::string IntelLog() {
-  const char* const folder = std::getenv("LOOPSCOPE_DATASETS");
-  const std::string datasets = folder != nullptr ? folder : LOOPSCOPE_SOURCE_DIR "/../shared/data";
-  return datasets + "/carmen/intel.log.gz";
-}
+std::string IntelLog() { return (DatasetsFolder() / "carmen/intel.log.gz").string(); }
 
 struct Run {
   TemporaryFolder folder;

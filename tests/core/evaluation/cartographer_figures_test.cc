@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
-#include <cstdlib>
 #include <filesystem>
 #include <ostream>
 #include <string>
@@ -10,6 +9,7 @@
 #include "core/evaluation/relations.h"
 #include "core/io/relations_file.h"
 #include "core/io/tum_file.h"
+#include "tests/support/datasets.h"
 
 namespace loopscope {
 namespace {
@@ -32,8 +32,7 @@ class CartographerFigures : public testing::TestWithParam<Figures> {};
 
 TEST_P(CartographerFigures, AreThoseOfTheRelations) {
   const Figures& expected = GetParam();
-  const char* const folder = std::getenv("LOOPSCOPE_DATASETS");
-  const std::filesystem::path data = folder ? folder : LOOPSCOPE_SOURCE_DIR "/../shared/data";
+  const std::filesystem::path data = DatasetsFolder();
   const auto relations = data / "carmen" / (std::string(expected.log) + ".relations");
   const auto trajectory =
       data / "../reference" /

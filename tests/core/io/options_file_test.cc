@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/io/options_file.h"
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
@@ -14,6 +13,7 @@
 #include "core/io/stock_files.h"
 #include "core/io/unused_stock_options.h"
 #include "core/slam/option_values.h"
+#include "tests/support/datasets.h"
 
 namespace loopscope {
 namespace {
@@ -204,11 +204,8 @@ TEST(ReadOptionsFile, RefusesWhatIsNoTextFile) {
 }
 
 TEST(ReadOptionsFile, ReadsAConfigurationFromTheWild) {
-  const char* const folder = std::getenv("LOOPSCOPE_DATASETS");
   const std::string path =
-      (std::filesystem::path(folder ? folder : LOOPSCOPE_SOURCE_DIR "/../shared/data") /
-       "pbstream/legndy_config/rplidar_mapping.lua")
-          .string();
+      (DatasetsFolder() / "pbstream/legndy_config/rplidar_mapping.lua").string();
   if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
   const OptionsFile file = ReadOptionsFile(path);
   Options expected = CartographerPreset();

@@ -76,11 +76,12 @@ TEST(GridOfSubmap, GrowsNodeByNode) {
   ExpectSameGrid(GridOfSubmap(recording, submap, 5), grid);
 }
 
-TEST(GridsOfSubmaps, AreThoseOfEachSubmapByItself) {
+TEST(GrowGrids, MakesThoseOfEachSubmapByItself) {
   const Recording recording = MapSmallLoop();
   const SubmapId first{2};
   const std::vector<int> nums_nodes = {3, recording.submap(SubmapId{3}).num_nodes, 0, 5};
-  const std::vector<ProbabilityGrid> grids = GridsOfSubmaps(recording, first, nums_nodes);
+  std::vector<ProbabilityGrid> grids(4, GridOfSubmap(recording, first, 0));
+  GrowGrids(recording, first, {0, 0, 0, 0}, nums_nodes, &grids);
   ASSERT_EQ(grids.size(), nums_nodes.size());
   for (int i = 0; i < 4; ++i) {
     SCOPED_TRACE(i);
