@@ -37,6 +37,8 @@ std::string ToString(MatchStart start) {
       return "where the velocity leads: odometry did not match";
     case MatchStart::kRecovery:
       return "where a wide search found it";
+    case MatchStart::kAhead:
+      return "nowhere: it shares a jump with the next that matched";
   }
   return "";
 }

@@ -2,8 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/local/local_slam.h"
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include "core/local/scan_matching.h"
 #include "core/local/scan_preparation.h"
+#include "core/local/shared_jump.h"
 
 namespace loopscope {
 namespace {
@@ -33,7 +38,7 @@ LocalSlamResult LocalSlam::AddScan(int scan) {
   result.has_returns = !result.range_data.returns.empty();
   result.local_from_base_prior = Rounded(extrapolator_.Predict(time, result.odom_from_base));
   result.local_from_base = result.local_from_base_prior;
-  if (result.has_returns) Match(time, &result);
+  if (result.has_returns) Match(scan, &result);
   extrapolator_.AddPose(time, result.local_from_base, result.odom_from_base);
   if (result.has_returns && !motion_filter_.IsSimilar(time, result.local_from_base)) {
     result.insertion = active_submaps_.Insert(result.local_from_base, result.range_data);
@@ -41,29 +46,63 @@ LocalSlamResult LocalSlam::AddScan(int scan) {
   return result;
 }
 
-void LocalSlam::Match(double time, LocalSlamResult* result) {
+void LocalSlam::Match(int scan, LocalSlamResult* result) {
   const ActiveSubmap* submap = active_submaps_.MatchingSubmap();
   if (submap == nullptr) return;
-  const PointCloud points =
-      AdaptiveVoxelFilter(result->range_data.returns, options_.adaptive_voxel_filter);
-  if (points.empty() || static_cast<int>(points.size()) < options_.min_num_matched_points) return;
+  const std::optional<PointCloud> points = PointsToMatch(result->range_data);
+  if (!points) return;
   const Pose2& local_from_submap = submap->local_from_submap;
   const Pose2 submap_from_local = local_from_submap.Inverse();
   MatchPrior prior{
       submap_from_local * result->local_from_base_prior, result->odom_from_base.has_value(), {}};
   if (prior.is_measured) {
-    prior.submap_from_base_by_velocity = submap_from_local * extrapolator_.PredictByVelocity(time);
+    prior.submap_from_base_by_velocity =
+        submap_from_local * extrapolator_.PredictByVelocity(log_.scans[scan].time);
   }
-  const ScanMatch match = MatchScan(points, submap->grid, prior, expected_score_, options_);
+  const ScanMatch match = MatchScan(*points, submap->grid, prior, expected_score_, options_);
   expected_score_ += kExpectedScoreGain * (match.score - expected_score_);
   if (match.submap_from_base_correlative) {
     result->local_from_base_correlative =
         Rounded(local_from_submap * *match.submap_from_base_correlative);
   }
-  result->local_from_base = match.start == MatchStart::kNone
-                                ? result->local_from_base_prior
-                                : Rounded(local_from_submap * match.submap_from_base);
   result->match_start = match.start;
+  if (match.start != MatchStart::kNone) {
+    result->local_from_base = Rounded(local_from_submap * match.submap_from_base);
+  } else if (const auto local_from_base = PlaceByScansAhead(scan, *submap)) {
+    result->local_from_base = Rounded(*local_from_base);
+    result->match_start = MatchStart::kAhead;
+  }
+}
+
+std::optional<Pose2> LocalSlam::PlaceByScansAhead(int scan, const ActiveSubmap& submap) const {
+  const int end = std::min(scan + 1 + options_.recovery.max_num_scans_ahead,
+                           static_cast<int>(log_.scans.size()));
+  PoseExtrapolator extrapolator = extrapolator_;
+  std::vector<Pose2> local_from_predicted;
+  for (int ahead = scan; ahead < end; ++ahead) {
+    const auto reading = OdometryOfScan(log_, ahead);
+    const double time = log_.scans[ahead].time;
+    const Pose2 predicted = extrapolator.Predict(time, reading->odom_from_base);
+    extrapolator.AddPose(time, predicted, reading->odom_from_base);
+    local_from_predicted.push_back(predicted);
+    if (ahead == scan) continue;
+    const auto points = PointsToMatch(PrepareRangeData(log_, ahead, options_));
+    if (!points) continue;
+    const MatchPrior prior{submap.local_from_submap.Inverse() * predicted, true, {}};
+    const ScanMatch match = MatchScan(*points, submap.grid, prior, expected_score_, options_);
+    if (match.start == MatchStart::kNone) continue;
+    return FirstOfSharedJump(extrapolator_.LastPose(), local_from_predicted,
+                             submap.local_from_submap * match.submap_from_base);
+  }
+  return std::nullopt;
+}
+
+std::optional<PointCloud> LocalSlam::PointsToMatch(const RangeData& range_data) const {
+  PointCloud points = AdaptiveVoxelFilter(range_data.returns, options_.adaptive_voxel_filter);
+  if (points.empty() || static_cast<int>(points.size()) < options_.min_num_matched_points) {
+    return std::nullopt;
+  }
+  return points;
 }
 
 }  // namespace loopscope

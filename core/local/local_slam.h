@@ -35,7 +35,12 @@ class LocalSlam {
   LocalSlamResult AddScan(int scan);
 
  private:
-  void Match(double time, LocalSlamResult* result);
+  void Match(int scan, LocalSlamResult* result);
+  /// Where scan `scan` was, which matches nowhere in `submap`: between the scan before it and the
+  /// first of those ahead that does match there.
+  std::optional<Pose2> PlaceByScansAhead(int scan, const ActiveSubmap& submap) const;
+  /// What is matched of a scan; nothing if that is too little.
+  std::optional<PointCloud> PointsToMatch(const RangeData& range_data) const;
 
   const ScanLog& log_;
   LocalSlamOptions options_;

@@ -20,6 +20,9 @@ struct RecoveryOptions {
   double min_gain = 0.2;  ///< take what was found if its mean probability is higher by this much
   double linear_search_window = 1.0;                      ///< [m]
   double angular_search_window = DegreesToRadians(90.0);  ///< [rad]
+  /// A scan that odometry predicted and that matches nowhere waits for one of so many after it that
+  /// does: the jump there is shared among all of them; 0: none is waited for.
+  int max_num_scans_ahead = 0;
 };
 
 /// TRAJECTORY_BUILDER_2D. Defaults here and in the parts are Cartographer's.

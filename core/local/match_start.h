@@ -10,6 +10,7 @@ enum class MatchStart {
   kPrior,     ///< where odometry has the robot, or without odometry the velocity
   kVelocity,  ///< where the robot would be had it gone on as before: odometry was not believed
   kRecovery,  ///< where a search in a wide window found it
+  kAhead,     ///< nowhere, but a scan soon after it did match: it has its share of the jump there
 };
 
 }  // namespace loopscope

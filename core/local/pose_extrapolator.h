@@ -26,6 +26,9 @@ class PoseExtrapolator {
   /// last two poses, both kept up as SteadyPace has it. The last pose while there is no other.
   Pose2 PredictByVelocity(double time) const;
 
+  /// The identity before any pose is known.
+  Pose2 LastPose() const { return last_ ? last_->local_from_base : Pose2(); }
+
   /// Tells where the scan at `time` was matched.
   void AddPose(double time, const Pose2& local_from_base,
                const std::optional<Pose2>& odom_from_base);

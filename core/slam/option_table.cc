@@ -75,6 +75,9 @@ Rows RecoveryRows(RecoveryOptions* o) {
        "Poses so far from the guess in x and y are tried."},
       {"angular_search_window", &o->angular_search_window, 0, kPi, "rad",
        "Poses turned so far from the guess are tried."},
+      {"max_num_scans_ahead", &o->max_num_scans_ahead, 0, 1000, "",
+       "A scan that matches nowhere has its share of the jump to the next one that does, among so "
+       "many; 0: it stays where odometry has it."},
   };
 }
 

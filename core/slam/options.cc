@@ -22,6 +22,7 @@ Options LoopscopePreset() {
   local.velocity_gain = 0.5;
   local.second_prior_relative_score = 0.8;
   local.recovery.min_relative_score = 0.6;
+  local.recovery.max_num_scans_ahead = 8;
   local.submaps.num_range_data = 40;
   local.submaps.range_data_inserter.hit_probability = 0.7;
   local.submaps.range_data_inserter.miss_probability = 0.4;

@@ -60,6 +60,8 @@ std::optional<std::string> UnusualStart(const Step& step) {
       return "by the velocity";
     case MatchStart::kRecovery:
       return "by a wide search";
+    case MatchStart::kAhead:
+      return "nowhere: led by scans ahead";
   }
   return std::nullopt;
 }

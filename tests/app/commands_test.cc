@@ -87,7 +87,7 @@ TEST_F(CommandTest, RecordingsOfANewerSchemaOrCutOffAreRefusedByAll) {
       ExpectRefused(arguments, file + ": ");
     }
   }
-  ExpectRefused("info newer.loopscope", "schema 99, made by a newer Loopscope; expected at most 3");
+  ExpectRefused("info newer.loopscope", "schema 99, made by a newer Loopscope; expected at most 4");
 }
 
 TEST_F(CommandTest, RenderDrawsEveryViewWithoutADisplay) {

@@ -57,7 +57,7 @@ class SmallRun {
     update.step.local_from_base_prior = AnyPose();
     if (step % 2 == 1) update.step.local_from_base_correlative = AnyPose();
     update.step.local_from_base = AnyPose();
-    if (step % 7 != 0) update.step.match_start = static_cast<MatchStart>(step % 4);
+    if (step % 7 != 0) update.step.match_start = static_cast<MatchStart>(step % 5);
     update.step.outcome = step % 6 == 2 ? StepOutcome::kNoReturns : StepOutcome::kMotionFiltered;
     if (step % 3 != 2) AddNode(step, &update);
     if (step % 5 == 4 && num_submaps_ > 1) {

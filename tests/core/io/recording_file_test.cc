@@ -254,9 +254,9 @@ TEST(RecordingFile, ThrowsIfTheSchemaIsNewer) {
   const TemporaryFolder folder;
   const std::string path = folder.Path("a.loopscope");
   Write(path, SmallRun(3));
-  Execute(path, "PRAGMA user_version = 4");
+  Execute(path, "PRAGMA user_version = 5");
   EXPECT_EQ(MessageOf([&] { ReadRecording(path); }),
-            path + ": recording of schema 4, made by a newer Loopscope; expected at most 3");
+            path + ": recording of schema 5, made by a newer Loopscope; expected at most 4");
 }
 
 TEST(RecordingFile, ThrowsIfItIsInconsistent) {
@@ -268,7 +268,7 @@ TEST(RecordingFile, ThrowsIfItIsInconsistent) {
       {"DELETE FROM step WHERE id = 29", "steps that are not there"},
       {"DELETE FROM step WHERE id = 28 OR id = 29", "steps that are not there"},
       {"UPDATE step SET outcome = 7 WHERE id = 3", "table step: column outcome"},
-      {"UPDATE step SET match_start = 4 WHERE id = 3", "table step: column match_start"},
+      {"UPDATE step SET match_start = 5 WHERE id = 3", "table step: column match_start"},
       {"UPDATE step SET poses = x'' WHERE id = 2", "step 2"},
       {"UPDATE step SET poses = x'00' WHERE id = 2", "step 2"},
       {"UPDATE step SET poses = poses || x'00' WHERE id = 2", "step 2"},
