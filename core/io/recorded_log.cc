@@ -143,7 +143,10 @@ ScanLog ReadRecordedLog(const std::string& path, SQLite::Database& database) {
 
 Options ReadRecordedOptions(const std::string& path, SQLite::Database& database) {
   std::string text;
-  SqliteTable table(database, path, "option", "SELECT key, value FROM option");
+  // The calibration of odometry was that of its direction alone until schema 3.
+  SqliteTable table(database, path, "option",
+                    "SELECT replace(key, 'odometry_direction_', 'odometry_calibration_'), value "
+                    "FROM option");
   while (table.Next()) text += table.Text(0) + " = " + table.Text(1) + "\n";
   try {
     return ParseOptions(text, Options());

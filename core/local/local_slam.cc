@@ -21,7 +21,7 @@ constexpr double kExpectedScoreGain = 0.05;
 LocalSlam::LocalSlam(const ScanLog& log, const LocalSlamOptions& options)
     : log_(log),
       options_(options),
-      extrapolator_(OdometryDirection(options.odometry_direction_memory),
+      extrapolator_(OdometryCalibration(options.odometry_calibration_memory),
                     SteadyPace(options.steady_pace_memory), options.velocity_gain),
       motion_filter_(options.motion_filter),
       active_submaps_(options.submaps) {}

@@ -41,9 +41,9 @@ struct LocalSlamOptions {
   MotionFilterOptions motion_filter;
   SubmapsOptions submaps;
   bool use_odometry = true;  ///< whether odometry, where there is any, predicts the motion
-  /// [m] Way over which it is learned to which side of the scanner odometry moves; 0: not at all.
-  /// Not in Cartographer.
-  double odometry_direction_memory = 0.0;
+  /// [m] Way over which it is learned how far odometry moves, and to which side of the scanner; 0:
+  /// not at all. Not in Cartographer.
+  double odometry_calibration_memory = 0.0;
   /// Number of scans over which it is learned whether stamps tell how far the robot went; 0: they
   /// do. For scans without odometry; not in Cartographer.
   int steady_pace_memory = 0;

@@ -16,7 +16,7 @@ Pose2 PoseExtrapolator::Predict(double time, const std::optional<Pose2>& odom_fr
   if (!last_) return Pose2();
   if (odom_from_base && last_->odom_from_base) {
     return last_->local_from_base *
-           direction_.Corrected(last_->odom_from_base->Inverse() * *odom_from_base);
+           calibration_.Corrected(last_->odom_from_base->Inverse() * *odom_from_base);
   }
   return PredictByVelocity(time);
 }
@@ -42,7 +42,7 @@ void PoseExtrapolator::AddPose(double time, const Pose2& local_from_base,
   if (last_) {
     const Pose2 motion = last_->local_from_base.Inverse() * local_from_base;
     if (last_->odom_from_base && odom_from_base) {
-      direction_.Learn(last_->odom_from_base->Inverse() * *odom_from_base, motion);
+      calibration_.Learn(last_->odom_from_base->Inverse() * *odom_from_base, motion);
     }
     if (before_last_) pace_.Learn(LastMotion(), StretchUntil(time), motion);
     const double gain = before_last_ ? velocity_gain_ : 1.0;

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/geometry/pose2.h"
-#include "core/local/odometry_direction.h"
+#include "core/local/odometry_calibration.h"
 #include "core/local/steady_pace.h"
 
 namespace loopscope {
@@ -15,8 +15,9 @@ class PoseExtrapolator {
  public:
   /// `velocity_gain` in (0, 1] is how much of the velocity is that of the last motion; what is left
   /// is that before it.
-  PoseExtrapolator(const OdometryDirection& direction, const SteadyPace& pace, double velocity_gain)
-      : direction_(direction), pace_(pace), velocity_gain_(velocity_gain) {}
+  PoseExtrapolator(const OdometryCalibration& calibration, const SteadyPace& pace,
+                   double velocity_gain)
+      : calibration_(calibration), pace_(pace), velocity_gain_(velocity_gain) {}
 
   /// The pose at `time` [s]: the motion that odometry measured since the last pose, if it was known
   /// there and is now; else as PredictByVelocity has it. The identity before any pose is known.
@@ -46,7 +47,7 @@ class PoseExtrapolator {
 
   std::optional<Known> last_;
   std::optional<Known> before_last_;
-  OdometryDirection direction_;
+  OdometryCalibration calibration_;
   SteadyPace pace_;
   double velocity_gain_;
   Eigen::Vector2d velocity_ =

@@ -121,9 +121,9 @@ Rows LocalSlamRows(LocalSlamOptions* o) {
          AdaptiveVoxelFilterRows(&o->loop_closure_adaptive_voxel_filter), &rows);
   rows.push_back({"min_num_matched_points", &o->min_num_matched_points, 0, kMaxCount, "",
                   "A scan with fewer points stays where it is predicted."});
-  rows.push_back({"odometry_direction_memory", &o->odometry_direction_memory, 0, 1e6, "m",
-                  "Way over which it is learned to which side of the scanner odometry moves; 0: "
-                  "not."});
+  rows.push_back({"odometry_calibration_memory", &o->odometry_calibration_memory, 0, 1e6, "m",
+                  "Way over which it is learned how far odometry moves, and to which side of the "
+                  "scanner; 0: not."});
   rows.push_back({"steady_pace_memory", &o->steady_pace_memory, 0, kMaxCount, "",
                   "Scans over which it is learned whether stamps tell how far a robot without "
                   "odometry went; 0: they do."});

@@ -10,7 +10,7 @@ Options LoopscopePreset() {
   Options options = CartographerPreset();
   LocalSlamOptions& local = options.trajectory_builder_2d;
   local.min_num_matched_points = 30;
-  local.odometry_direction_memory = 100.0;
+  local.odometry_calibration_memory = 100.0;
   local.steady_pace_memory = 50;
   local.unmeasured_prior_scale = 2.5;
   local.use_online_correlative_scan_matching = true;

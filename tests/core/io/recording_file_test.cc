@@ -250,6 +250,17 @@ TEST(RecordingFile, ReadsTheSecondSchemaWhichHadAColumnForEachNumberOfAStep) {
   EXPECT_EQ(read.submaps()[0].finished_step, written.submaps()[0].finished_step);
 }
 
+TEST(RecordingFile, ReadsTheThirdSchemaWhichCalibratedTheDirectionOfOdometryAlone) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Path("a.loopscope");
+  Write(path, SmallRun(25));
+  Execute(path,
+          "UPDATE option SET key = 'TRAJECTORY_BUILDER_2D.odometry_direction_memory', value = '7' "
+          "WHERE key = 'TRAJECTORY_BUILDER_2D.odometry_calibration_memory';"
+          "PRAGMA user_version = 3");
+  EXPECT_EQ(ReadRecording(path).options().trajectory_builder_2d.odometry_calibration_memory, 7.0);
+}
+
 TEST(RecordingFile, ThrowsIfTheSchemaIsNewer) {
   const TemporaryFolder folder;
   const std::string path = folder.Path("a.loopscope");

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::nullopt_t kNoOdometry = std::nullopt;
 
-const OdometryDirection kStraight(0.0);
+const OdometryCalibration kUncalibrated(0.0);
 const SteadyPace kByStamps(0);
 
 const Pose2 kStart(1.0, 2.0, 0.3);
@@ -19,25 +19,25 @@ const Pose2 kSecondMotion(0.5, 0.1, 0.2);  // the motion of a second, in the fra
 
 /// Knows the robot at times 10 s and 11 s.
 PoseExtrapolator MovingExtrapolator() {
-  PoseExtrapolator extrapolator(kStraight, kByStamps, 1.0);
+  PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);
   extrapolator.AddPose(10.0, kStart, kNoOdometry);
   extrapolator.AddPose(11.0, kStart * kSecondMotion, kNoOdometry);
   return extrapolator;
 }
 
 TEST(PoseExtrapolator, BeginsAtTheIdentity) {
-  EXPECT_EQ(PoseExtrapolator(kStraight, kByStamps, 1.0).Predict(5.0, Pose2(3.0, 2.0, 1.0)),
+  EXPECT_EQ(PoseExtrapolator(kUncalibrated, kByStamps, 1.0).Predict(5.0, Pose2(3.0, 2.0, 1.0)),
             Pose2());
 }
 
 TEST(PoseExtrapolator, StaysWhenItKnowsOnlyOnePose) {
-  PoseExtrapolator extrapolator(kStraight, kByStamps, 1.0);
+  PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);
   extrapolator.AddPose(10.0, kStart, kNoOdometry);
   EXPECT_EQ(extrapolator.Predict(11.0, kNoOdometry), kStart);
 }
 
 TEST(PoseExtrapolator, AddsTheMotionThatOdometryMeasured) {
-  PoseExtrapolator extrapolator(kStraight, kByStamps, 1.0);
+  PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);
   const Pose2 odom_from_base(-4.0, 1.0, 2.5);
   extrapolator.AddPose(10.0, kStart, odom_from_base);
   EXPECT_THAT(extrapolator.Predict(11.0, odom_from_base * kSecondMotion),
@@ -45,7 +45,7 @@ TEST(PoseExtrapolator, AddsTheMotionThatOdometryMeasured) {
 }
 
 TEST(PoseExtrapolator, BelievesOdometryWhateverTheStampsSay) {
-  PoseExtrapolator extrapolator(kStraight, kByStamps, 1.0);
+  PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);
   const Pose2 odom_from_base(9.0, 9.0, 1.0);
   extrapolator.AddPose(10.0, Pose2(), Pose2());
   extrapolator.AddPose(11.0, kStart, odom_from_base);
@@ -71,7 +71,7 @@ TEST(PoseExtrapolator, KeepsTheVelocityWhereOdometryBeginsOrEnds) {
 }
 
 TEST(PoseExtrapolator, TellsWhereTheVelocityLeadsWhateverOdometrySays) {
-  PoseExtrapolator extrapolator(kStraight, kByStamps, 1.0);
+  PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);
   extrapolator.AddPose(10.0, kStart, Pose2());
   extrapolator.AddPose(11.0, kStart * kSecondMotion, Pose2());  // odometry stands still
   EXPECT_THAT(extrapolator.Predict(12.0, Pose2()), PoseNear(kStart * kSecondMotion, 1e-12, 1e-12));
@@ -80,7 +80,7 @@ TEST(PoseExtrapolator, TellsWhereTheVelocityLeadsWhateverOdometrySays) {
 }
 
 TEST(PoseExtrapolator, FollowsAChangeOfVelocityAsFarAsItsGainSays) {
-  PoseExtrapolator extrapolator(kStraight, kByStamps, 0.25);
+  PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 0.25);
   extrapolator.AddPose(10.0, Pose2(), kNoOdometry);
   extrapolator.AddPose(11.0, Pose2(1.0, 0.0, 0.0), kNoOdometry);
   extrapolator.AddPose(12.0, Pose2(3.0, 0.0, 0.1), kNoOdometry);
@@ -91,7 +91,7 @@ TEST(PoseExtrapolator, FollowsAChangeOfVelocityAsFarAsItsGainSays) {
 }
 
 TEST(PoseExtrapolator, GoesOnFromScanToScanWhereStampsJitter) {
-  PoseExtrapolator extrapolator(kStraight, SteadyPace(50), 1.0);
+  PoseExtrapolator extrapolator(kUncalibrated, SteadyPace(50), 1.0);
   Pose2 local_from_base;
   for (const double time : {0.0, 0.1, 1.0, 1.0, 2.1, 2.2}) {
     extrapolator.AddPose(time, local_from_base, kNoOdometry);
