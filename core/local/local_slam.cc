@@ -9,12 +9,16 @@
 #include "core/local/scan_matching.h"
 #include "core/local/scan_preparation.h"
 #include "core/local/shared_jump.h"
+#include "core/matching/match_score.h"
 
 namespace loopscope {
 namespace {
 
-/// The expected score forgets within some fifty scans.
+/// The expected score forgets within some twenty scans, of which the first count alike.
 constexpr double kExpectedScoreGain = 0.05;
+
+/// The velocity of a robot that sets out tells little.
+constexpr int kNumScansUntilVelocityIsKnown = 20;
 
 }  // namespace
 
@@ -38,29 +42,34 @@ LocalSlamResult LocalSlam::AddScan(int scan) {
   result.has_returns = !result.range_data.returns.empty();
   result.local_from_base_prior = Rounded(extrapolator_.Predict(time, result.odom_from_base));
   result.local_from_base = result.local_from_base_prior;
-  if (result.has_returns) Match(scan, &result);
-  extrapolator_.AddPose(time, result.local_from_base, result.odom_from_base);
+  const bool way_is_held = result.has_returns && Match(scan, &result);
+  extrapolator_.AddPose(time, result.local_from_base, result.odom_from_base, way_is_held);
   if (result.has_returns && !motion_filter_.IsSimilar(time, result.local_from_base)) {
     result.insertion = active_submaps_.Insert(result.local_from_base, result.range_data);
   }
   return result;
 }
 
-void LocalSlam::Match(int scan, LocalSlamResult* result) {
+bool LocalSlam::Match(int scan, LocalSlamResult* result) {
   const ActiveSubmap* submap = active_submaps_.MatchingSubmap();
-  if (submap == nullptr) return;
+  if (submap == nullptr) return false;
   const std::optional<PointCloud> points = PointsToMatch(result->range_data);
-  if (!points) return;
+  if (!points) return false;
   const Pose2& local_from_submap = submap->local_from_submap;
   const Pose2 submap_from_local = local_from_submap.Inverse();
-  MatchPrior prior{
-      submap_from_local * result->local_from_base_prior, result->odom_from_base.has_value(), {}};
-  if (prior.is_measured) {
-    prior.submap_from_base_by_velocity =
-        submap_from_local * extrapolator_.PredictByVelocity(log_.scans[scan].time);
+  MatchPrior prior{submap_from_local * result->local_from_base_prior};
+  if (result->odom_from_base) {
+    prior.is_measured = true;
+    prior.odometry_stands_still = extrapolator_.StandsStill(*result->odom_from_base);
+    if (num_matched_ >= kNumScansUntilVelocityIsKnown) {
+      prior.submap_from_base_by_velocity =
+          submap_from_local * extrapolator_.PredictByVelocity(log_.scans[scan].time);
+    }
   }
   const ScanMatch match = MatchScan(*points, submap->grid, prior, expected_score_, options_);
-  expected_score_ += kExpectedScoreGain * (match.score - expected_score_);
+  ++num_matched_;
+  expected_score_ +=
+      std::max(kExpectedScoreGain, 1.0 / num_matched_) * (match.score - expected_score_);
   if (match.submap_from_base_correlative) {
     result->local_from_base_correlative =
         Rounded(local_from_submap * *match.submap_from_base_correlative);
@@ -72,6 +81,8 @@ void LocalSlam::Match(int scan, LocalSlamResult* result) {
     result->local_from_base = Rounded(*local_from_base);
     result->match_start = MatchStart::kAhead;
   }
+  return match.start == MatchStart::kPrior &&
+         HoldsAhead(*points, match.submap_from_base, submap->grid);
 }
 
 std::optional<Pose2> LocalSlam::PlaceByScansAhead(int scan, const ActiveSubmap& submap) const {
@@ -83,12 +94,13 @@ std::optional<Pose2> LocalSlam::PlaceByScansAhead(int scan, const ActiveSubmap& 
     const auto reading = OdometryOfScan(log_, ahead);
     const double time = log_.scans[ahead].time;
     const Pose2 predicted = extrapolator.Predict(time, reading->odom_from_base);
-    extrapolator.AddPose(time, predicted, reading->odom_from_base);
+    extrapolator.AddPose(time, predicted, reading->odom_from_base, false);
     local_from_predicted.push_back(predicted);
     if (ahead == scan) continue;
     const auto points = PointsToMatch(PrepareRangeData(log_, ahead, options_));
     if (!points) continue;
-    const MatchPrior prior{submap.local_from_submap.Inverse() * predicted, true, {}};
+    MatchPrior prior{submap.local_from_submap.Inverse() * predicted};
+    prior.is_measured = true;
     const ScanMatch match = MatchScan(*points, submap.grid, prior, expected_score_, options_);
     if (match.start == MatchStart::kNone) continue;
     return FirstOfSharedJump(extrapolator_.LastPose(), local_from_predicted,

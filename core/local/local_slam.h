@@ -35,7 +35,8 @@ class LocalSlam {
   LocalSlamResult AddScan(int scan);
 
  private:
-  void Match(int scan, LocalSlamResult* result);
+  /// Whether that tells how far ahead the robot came.
+  bool Match(int scan, LocalSlamResult* result);
   /// Where scan `scan` was, which matches nowhere in `submap`: between the scan before it and the
   /// first of those ahead that does match there.
   std::optional<Pose2> PlaceByScansAhead(int scan, const ActiveSubmap& submap) const;
@@ -47,6 +48,7 @@ class LocalSlam {
   PoseExtrapolator extrapolator_;
   MotionFilter motion_filter_;
   ActiveSubmaps active_submaps_;
+  int num_matched_ = 0;          ///< of the scans so far
   double expected_score_ = 0.0;  ///< of a match: running average of those before
 };
 

@@ -17,7 +17,10 @@ constexpr double kMaxTurn = DegreesToRadians(10.0);  // [rad]
 }  // namespace
 
 Eigen::Vector2d OdometryCalibration::MotionPerMeter() const {
-  return Eigen::Vector2d::UnitX() + way_times_error_ / (kPriorSquaredWay + squared_way_);
+  const auto error = [](const Sums& sums) {
+    return sums.way_times_error / (kPriorSquaredWay + sums.squared_way);
+  };
+  return {1.0 + error(ahead_), error(left_)};
 }
 
 Pose2 OdometryCalibration::Corrected(const Pose2& odometry_motion) const {
@@ -27,15 +30,21 @@ Pose2 OdometryCalibration::Corrected(const Pose2& odometry_motion) const {
   return {measured.x() * ahead + measured.y() * left, odometry_motion.rotation};
 }
 
-void OdometryCalibration::Learn(const Pose2& odometry_motion, const Pose2& matched_motion) {
+void OdometryCalibration::Learn(const Pose2& odometry_motion, const Pose2& matched_motion,
+                                bool way_is_held) {
   if (memory_ == 0.0) return;
   const Eigen::Vector2d error = matched_motion.translation - odometry_motion.translation;
   const double turn = NormalizeAngle(matched_motion.rotation - odometry_motion.rotation);
   if (error.norm() > kMaxDistance || std::abs(turn) > kMaxTurn) return;
-  const double ahead = odometry_motion.translation.x();
-  const double kept = std::exp(-std::abs(ahead) / memory_);
-  squared_way_ = kept * squared_way_ + ahead * ahead;
-  way_times_error_ = kept * way_times_error_ + ahead * error;
+  const double way = odometry_motion.translation.x();
+  const double kept = std::exp(-std::abs(way) / memory_);
+  Add(way, error.y(), kept, &left_);
+  if (way_is_held) Add(way, error.x(), kept, &ahead_);
+}
+
+void OdometryCalibration::Add(double way, double error, double kept, Sums* sums) {
+  sums->squared_way = kept * sums->squared_way + way * way;
+  sums->way_times_error = kept * sums->way_times_error + way * error;
 }
 
 }  // namespace loopscope

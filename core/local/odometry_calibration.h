@@ -23,16 +23,24 @@ class OdometryCalibration {
   Pose2 Corrected(const Pose2& odometry_motion) const;
 
   /// Between two scans odometry measured one motion, and the scans were matched at another.
-  void Learn(const Pose2& odometry_motion, const Pose2& matched_motion);
+  /// `way_is_held` if the match tells how far ahead the robot came, which along the smooth walls of
+  /// a corridor it does not.
+  void Learn(const Pose2& odometry_motion, const Pose2& matched_motion, bool way_is_held);
 
   /// [m] Ahead and to the left, for a metre ahead by odometry.
   Eigen::Vector2d MotionPerMeter() const;
 
  private:
+  /// Sums over the motions, which forget.
+  struct Sums {
+    double squared_way = 0.0;      ///< [m^2] of the way ahead by odometry
+    double way_times_error = 0.0;  ///< [m^2]
+  };
+  static void Add(double way, double error, double kept, Sums* sums);
+
   double memory_;
-  double squared_way_ = 0.0;  ///< [m^2] sum over the motions, of the way ahead by odometry
-  /// [m^2] Likewise, of that way times by how much it was wrong, ahead and to the left.
-  Eigen::Vector2d way_times_error_ = Eigen::Vector2d::Zero();
+  Sums ahead_;
+  Sums left_;
 };
 
 }  // namespace loopscope

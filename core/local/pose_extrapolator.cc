@@ -38,11 +38,11 @@ double PoseExtrapolator::StretchUntil(double time) const {
 }
 
 void PoseExtrapolator::AddPose(double time, const Pose2& local_from_base,
-                               const std::optional<Pose2>& odom_from_base) {
+                               const std::optional<Pose2>& odom_from_base, bool way_is_held) {
   if (last_) {
     const Pose2 motion = last_->local_from_base.Inverse() * local_from_base;
     if (last_->odom_from_base && odom_from_base) {
-      calibration_.Learn(last_->odom_from_base->Inverse() * *odom_from_base, motion);
+      calibration_.Learn(last_->odom_from_base->Inverse() * *odom_from_base, motion, way_is_held);
     }
     if (before_last_) pace_.Learn(LastMotion(), StretchUntil(time), motion);
     const double gain = before_last_ ? velocity_gain_ : 1.0;

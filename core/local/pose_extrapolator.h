@@ -30,9 +30,16 @@ class PoseExtrapolator {
   /// The identity before any pose is known.
   Pose2 LastPose() const { return last_ ? last_->local_from_base : Pose2(); }
 
-  /// Tells where the scan at `time` was matched.
+  /// Whether odometry measured no motion at all since the last pose: the robot rests, or odometry
+  /// hangs.
+  bool StandsStill(const Pose2& odom_from_base) const {
+    return last_ && last_->odom_from_base == odom_from_base;
+  }
+
+  /// Tells where the scan at `time` was matched, and whether that tells how far ahead it is, see
+  /// OdometryCalibration.
   void AddPose(double time, const Pose2& local_from_base,
-               const std::optional<Pose2>& odom_from_base);
+               const std::optional<Pose2>& odom_from_base, bool way_is_held);
 
  private:
   struct Known {

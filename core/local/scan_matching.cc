@@ -43,6 +43,29 @@ LocalSlamOptions Loosened(LocalSlamOptions options) {
   return options;
 }
 
+/// Odometry that stands still while the robot moves hangs.
+bool MayHang(const MatchPrior& prior, const LocalSlamOptions& options) {
+  return prior.odometry_stands_still && options.standstill_min_score_ratio > 0.0;
+}
+
+/// Where odometry has it, or where the velocity does, see second_prior_relative_score and
+/// standstill_min_score_ratio.
+ScanMatch MatchAroundPriors(const PointCloud& points_in_base, const ProbabilityGrid& grid,
+                            const MatchPrior& prior, double expected_score,
+                            const LocalSlamOptions& options) {
+  const ScanMatch match = MatchNear(points_in_base, grid, prior.submap_from_base,
+                                    prior.is_measured ? options : Loosened(options));
+  if (!prior.submap_from_base_by_velocity) return match;
+  const bool may_hang = MayHang(prior, options);
+  const double good_score = options.second_prior_relative_score * expected_score;
+  if (!may_hang && match.score >= good_score) return match;
+  ScanMatch by_velocity =
+      MatchNear(points_in_base, grid, *prior.submap_from_base_by_velocity, Loosened(options));
+  by_velocity.start = MatchStart::kVelocity;
+  const double min_score = may_hang ? options.standstill_min_score_ratio * match.score : good_score;
+  return by_velocity.score >= min_score ? by_velocity : match;
+}
+
 /// The best match in the wide window, if it beats `min_score`.
 std::optional<ScanMatch> Recover(const PointCloud& points_in_base, const ProbabilityGrid& grid,
                                  const Pose2& submap_from_base_prior, double min_score,
@@ -76,20 +99,17 @@ bool MatchesWhatIsKnown(const PointCloud& points_in_base, const ScanMatch& match
 ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& grid,
                     const MatchPrior& prior, double expected_score,
                     const LocalSlamOptions& options) {
-  const ScanMatch near = MatchNear(points_in_base, grid, prior.submap_from_base,
-                                   prior.is_measured ? options : Loosened(options));
-  const double good_score = options.second_prior_relative_score * expected_score;
-  if (near.score < good_score && prior.submap_from_base_by_velocity) {
-    ScanMatch by_velocity =
-        MatchNear(points_in_base, grid, *prior.submap_from_base_by_velocity, Loosened(options));
-    by_velocity.start = MatchStart::kVelocity;
-    if (by_velocity.score >= good_score) return by_velocity;
-  }
-  const double min_score = options.recovery.min_relative_score * expected_score;
-  if (near.score >= min_score) return near;
-  const auto recovered =
-      Recover(points_in_base, grid, prior.submap_from_base,
-              std::max(near.score + options.recovery.min_gain, min_score), options);
+  const ScanMatch near = MatchAroundPriors(points_in_base, grid, prior, expected_score, options);
+  const RecoveryOptions& recovery = options.recovery;
+  const bool is_trusted = prior.is_measured && !MayHang(prior, options);
+  const double min_score = recovery.min_relative_score * expected_score;
+  const double doubtful_score =
+      is_trusted ? min_score
+                 : std::max(min_score, recovery.unmeasured_min_relative_score * expected_score);
+  if (near.score >= doubtful_score) return near;
+  const double min_gain = is_trusted ? recovery.min_gain : 0.0;
+  const auto recovered = Recover(points_in_base, grid, prior.submap_from_base,
+                                 std::max(near.score + min_gain, min_score), options);
   if (recovered) return *recovered;
   if (!prior.is_measured || MatchesWhatIsKnown(points_in_base, near, grid, min_score, options)) {
     return near;

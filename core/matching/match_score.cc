@@ -16,6 +16,18 @@ double MeanProbability(const PointCloud& points_in_scan, const Pose2& submap_fro
   return sum / static_cast<double>(points_in_scan.size());
 }
 
+bool HoldsAhead(const PointCloud& points_in_scan, const Pose2& submap_from_scan,
+                const ProbabilityGrid& grid) {
+  constexpr double kShift = 0.1;  // [m]
+  constexpr double kMaxShare = 0.8;
+  const double score = MeanProbability(points_in_scan, submap_from_scan, grid);
+  for (const double shift : {-kShift, kShift}) {
+    const Pose2 shifted = submap_from_scan * Pose2(shift, 0.0, 0.0);
+    if (MeanProbability(points_in_scan, shifted, grid) > kMaxShare * score) return false;
+  }
+  return true;
+}
+
 KnownScore ScoreOfKnown(const PointCloud& points_in_scan, const Pose2& submap_from_scan,
                         const ProbabilityGrid& grid) {
   KnownScore score;

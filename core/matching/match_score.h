@@ -12,6 +12,11 @@ namespace loopscope {
 double MeanProbability(const PointCloud& points_in_scan, const Pose2& submap_from_scan,
                        const ProbabilityGrid& grid);
 
+/// Whether the scan fits worse a little ahead and a little behind: along the smooth walls of a
+/// corridor it does not. `points_in_scan` must not be empty.
+bool HoldsAhead(const PointCloud& points_in_scan, const Pose2& submap_from_scan,
+                const ProbabilityGrid& grid);
+
 /// Of the points of a scan that lie in cells that are known.
 struct KnownScore {
   int num_points = 0;

@@ -69,6 +69,9 @@ Rows RecoveryRows(RecoveryOptions* o) {
   return {
       {"min_relative_score", &o->min_relative_score, 0, 1, "",
        "A scan that scores less than this share of the average is searched for widely; 0: never."},
+      {"unmeasured_min_relative_score", &o->unmeasured_min_relative_score, 0, 1, "",
+       "Likewise where no odometry predicted the scan, or it stands still; any gain is taken "
+       "then."},
       {"min_gain", &o->min_gain, 0, 1, "",
        "What was found is taken if its mean probability is higher by this much."},
       {"linear_search_window", &o->linear_search_window, 0, 10, "m",
@@ -138,6 +141,10 @@ Rows LocalSlamRows(LocalSlamOptions* o) {
       {"second_prior_relative_score", &o->second_prior_relative_score, 0, 1, "",
        "A scan that matches less than this share of the average where odometry puts it is "
        "also matched where the velocity does; 0: never. Not in Cartographer."});
+  rows.push_back({"standstill_min_score_ratio", &o->standstill_min_score_ratio, 0, 10, "",
+                  "Where odometry stands still, a scan is believed where the velocity has it if it "
+                  "scores this "
+                  "many times as much there; 0: never. Not in Cartographer."});
   rows.push_back({"use_online_correlative_scan_matching", &o->use_online_correlative_scan_matching,
                   0, 0, "", "Whether the correlative matcher runs before (CS)."});
   Append("real_time_correlative_scan_matcher.",

@@ -119,13 +119,36 @@ TEST(LocalSlam, CarriesOnBlindlyOverScansWithoutReturns) {
 constexpr int kJumpScan = 60;
 
 TEST(LocalSlam, RecoversFromAnOdometryJumpOf85Degrees) {
-  Simulation simulation = FirstScans(kJumpScan + 20);
-  JumpOdometry(kJumpScan, DegreesToRadians(85.0), &simulation.log);
-  const auto results = AddAllScans(simulation.log, SmallLoopOptions().trajectory_builder_2d);
-  for (const int scan : {kJumpScan, kJumpScan + 19}) {
-    EXPECT_THAT(Motion(results, kJumpScan - 1, scan),
-                PoseNear(TrueMotion(simulation, kJumpScan - 1, scan), 0.1, DegreesToRadians(2.0)));
+  for (const int jump : {2, kJumpScan}) {
+    Simulation simulation = FirstScans(jump + 20);
+    JumpOdometry(jump, DegreesToRadians(85.0), &simulation.log);
+    const auto results = AddAllScans(simulation.log, SmallLoopOptions().trajectory_builder_2d);
+    for (const int scan : {jump, jump + 19}) {
+      EXPECT_THAT(Motion(results, jump - 1, scan),
+                  PoseNear(TrueMotion(simulation, jump - 1, scan), 0.1, DegreesToRadians(2.0)))
+          << jump << " " << scan;
+    }
   }
+}
+
+TEST(LocalSlam, GoesOnWhereOdometryHangs) {
+  constexpr int kNumScans = 20;
+  const Simulation simulation = FirstScans(kJumpScan + kNumScans);
+  ScanLog log = simulation.log;
+  for (int i = 0; i < kNumScans; ++i) {
+    log.scans[kJumpScan + i].num_odometry_before = log.scans[kJumpScan].num_odometry_before;
+  }
+  const int last = kJumpScan + kNumScans - 1;
+  const Pose2 truth = TrueMotion(simulation, kJumpScan, last);
+  LocalSlamOptions options = SmallLoopOptions().trajectory_builder_2d;
+  options.second_prior_relative_score = 0.0;
+  options.recovery.min_relative_score = 0.0;
+  options.recovery.unmeasured_min_relative_score = 0.0;
+  EXPECT_THAT(Motion(AddAllScans(log, options), kJumpScan, last),
+              PoseNear(truth, 0.1, DegreesToRadians(2.0)));
+  options.standstill_min_score_ratio = 0.0;
+  EXPECT_THAT(Motion(AddAllScans(log, options), kJumpScan, last),
+              Not(PoseNear(truth, 0.5, DegreesToRadians(20.0))));
 }
 
 /// The motion from before an odometry jump of 85 deg until 20 scans after it, without recovery.

@@ -35,7 +35,7 @@ OdometryCalibration AfterWay(double way, double memory) {
   OdometryCalibration calibration(memory);
   const Pose2 motion(0.2, 0.0, 0.01);
   for (double gone = 0.0; gone < way; gone += 0.2) {
-    calibration.Learn(motion, SeenByTheScanner(motion));
+    calibration.Learn(motion, SeenByTheScanner(motion), true);
   }
   return calibration;
 }
@@ -52,10 +52,18 @@ TEST(OdometryCalibration, LearnsHowFarAndToWhichSideTheRobotMoves) {
   EXPECT_THAT(calibration.Corrected(motion), PoseNear(SeenByTheScanner(motion), 0.01, 1e-12));
 }
 
+TEST(OdometryCalibration, LearnsOnlyTheSideFromMatchesThatDoNotHoldTheWay) {
+  OdometryCalibration calibration(kMemory);
+  const Pose2 motion(0.2, 0.0, 0.0);
+  for (int i = 0; i < 300; ++i) calibration.Learn(motion, SeenByTheScanner(motion), false);
+  EXPECT_EQ(calibration.MotionPerMeter().x(), 1.0);
+  EXPECT_NEAR(calibration.MotionPerMeter().y(), kScale * std::sin(kAngle), 0.15 * kAngle);
+}
+
 TEST(OdometryCalibration, LearnsTheSameFromGoingBackwards) {
   OdometryCalibration calibration(kMemory);
   const Pose2 back(-0.2, 0.0, 0.0);
-  for (int i = 0; i < 300; ++i) calibration.Learn(back, SeenByTheScanner(back));
+  for (int i = 0; i < 300; ++i) calibration.Learn(back, SeenByTheScanner(back), true);
   EXPECT_LT(ShareNotLearned(calibration), 0.1);
 }
 
@@ -66,15 +74,16 @@ TEST(OdometryCalibration, BelievesLittleAfterAShortWay) {
 TEST(OdometryCalibration, ForgetsWhatWasLongAgo) {
   OdometryCalibration calibration = AfterWay(60.0, kMemory);
   const Pose2 straight(0.2, 0.0, 0.0);
-  for (double gone = 0.0; gone < 5.0 * kMemory; gone += 0.2) calibration.Learn(straight, straight);
+  for (double gone = 0.0; gone < 5.0 * kMemory; gone += 0.2)
+    calibration.Learn(straight, straight, true);
   EXPECT_GT(ShareNotLearned(calibration), 0.99);
 }
 
 TEST(OdometryCalibration, LearnsNothingWhereOneOfTheTwoFailed) {
   OdometryCalibration calibration(kMemory);
   for (int i = 0; i < 100; ++i) {
-    calibration.Learn(Pose2(0.2, 0.0, 0.0), Pose2(0.2, 0.31, 0.0));
-    calibration.Learn(Pose2(0.2, 0.0, 0.0), Pose2(0.2, 0.05, DegreesToRadians(85.0)));
+    calibration.Learn(Pose2(0.2, 0.0, 0.0), Pose2(0.2, 0.31, 0.0), true);
+    calibration.Learn(Pose2(0.2, 0.0, 0.0), Pose2(0.2, 0.05, DegreesToRadians(85.0)), true);
   }
   EXPECT_EQ(calibration.MotionPerMeter(), Eigen::Vector2d(1.0, 0.0));
 }

@@ -20,8 +20,8 @@ const Pose2 kSecondMotion(0.5, 0.1, 0.2);  // the motion of a second, in the fra
 /// Knows the robot at times 10 s and 11 s.
 PoseExtrapolator MovingExtrapolator() {
   PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);
-  extrapolator.AddPose(10.0, kStart, kNoOdometry);
-  extrapolator.AddPose(11.0, kStart * kSecondMotion, kNoOdometry);
+  extrapolator.AddPose(10.0, kStart, kNoOdometry, true);
+  extrapolator.AddPose(11.0, kStart * kSecondMotion, kNoOdometry, true);
   return extrapolator;
 }
 
@@ -32,14 +32,14 @@ TEST(PoseExtrapolator, BeginsAtTheIdentity) {
 
 TEST(PoseExtrapolator, StaysWhenItKnowsOnlyOnePose) {
   PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);
-  extrapolator.AddPose(10.0, kStart, kNoOdometry);
+  extrapolator.AddPose(10.0, kStart, kNoOdometry, true);
   EXPECT_EQ(extrapolator.Predict(11.0, kNoOdometry), kStart);
 }
 
 TEST(PoseExtrapolator, AddsTheMotionThatOdometryMeasured) {
   PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);
   const Pose2 odom_from_base(-4.0, 1.0, 2.5);
-  extrapolator.AddPose(10.0, kStart, odom_from_base);
+  extrapolator.AddPose(10.0, kStart, odom_from_base, true);
   EXPECT_THAT(extrapolator.Predict(11.0, odom_from_base * kSecondMotion),
               PoseNear(kStart * kSecondMotion, 1e-12, 1e-12));
 }
@@ -47,8 +47,8 @@ TEST(PoseExtrapolator, AddsTheMotionThatOdometryMeasured) {
 TEST(PoseExtrapolator, BelievesOdometryWhateverTheStampsSay) {
   PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);
   const Pose2 odom_from_base(9.0, 9.0, 1.0);
-  extrapolator.AddPose(10.0, Pose2(), Pose2());
-  extrapolator.AddPose(11.0, kStart, odom_from_base);
+  extrapolator.AddPose(10.0, Pose2(), Pose2(), true);
+  extrapolator.AddPose(11.0, kStart, odom_from_base, true);
   EXPECT_THAT(extrapolator.Predict(10.5, odom_from_base * kSecondMotion),
               PoseNear(kStart * kSecondMotion, 1e-12, 1e-12));
 }
@@ -65,15 +65,15 @@ TEST(PoseExtrapolator, KeepsTheVelocityWhereOdometryBeginsOrEnds) {
   PoseExtrapolator extrapolator = MovingExtrapolator();
   const Pose2 kept = extrapolator.Predict(12.0, kNoOdometry);
   EXPECT_EQ(extrapolator.Predict(12.0, Pose2(7.0, 7.0, 1.0)), kept);
-  extrapolator.AddPose(12.0, kept, Pose2(7.0, 7.0, 1.0));
+  extrapolator.AddPose(12.0, kept, Pose2(7.0, 7.0, 1.0), true);
   EXPECT_THAT(extrapolator.Predict(13.0, kNoOdometry),
               PoseNear(kept * kSecondMotion, 1e-12, 1e-12));
 }
 
 TEST(PoseExtrapolator, TellsWhereTheVelocityLeadsWhateverOdometrySays) {
   PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);
-  extrapolator.AddPose(10.0, kStart, Pose2());
-  extrapolator.AddPose(11.0, kStart * kSecondMotion, Pose2());  // odometry stands still
+  extrapolator.AddPose(10.0, kStart, Pose2(), true);
+  extrapolator.AddPose(11.0, kStart * kSecondMotion, Pose2(), true);  // odometry stands still
   EXPECT_THAT(extrapolator.Predict(12.0, Pose2()), PoseNear(kStart * kSecondMotion, 1e-12, 1e-12));
   EXPECT_THAT(extrapolator.PredictByVelocity(12.0),
               PoseNear(kStart * kSecondMotion * kSecondMotion, 1e-12, 1e-12));
@@ -81,9 +81,9 @@ TEST(PoseExtrapolator, TellsWhereTheVelocityLeadsWhateverOdometrySays) {
 
 TEST(PoseExtrapolator, FollowsAChangeOfVelocityAsFarAsItsGainSays) {
   PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 0.25);
-  extrapolator.AddPose(10.0, Pose2(), kNoOdometry);
-  extrapolator.AddPose(11.0, Pose2(1.0, 0.0, 0.0), kNoOdometry);
-  extrapolator.AddPose(12.0, Pose2(3.0, 0.0, 0.1), kNoOdometry);
+  extrapolator.AddPose(10.0, Pose2(), kNoOdometry, true);
+  extrapolator.AddPose(11.0, Pose2(1.0, 0.0, 0.0), kNoOdometry, true);
+  extrapolator.AddPose(12.0, Pose2(3.0, 0.0, 0.1), kNoOdometry, true);
   const Pose2 last(3.0, 0.0, 0.1);
   EXPECT_THAT(extrapolator.Predict(13.0, kNoOdometry),
               PoseNear(last * Pose2(1.25, 0.0, 0.1), 1e-12, 1e-12))
@@ -94,7 +94,7 @@ TEST(PoseExtrapolator, GoesOnFromScanToScanWhereStampsJitter) {
   PoseExtrapolator extrapolator(kUncalibrated, SteadyPace(50), 1.0);
   Pose2 local_from_base;
   for (const double time : {0.0, 0.1, 1.0, 1.0, 2.1, 2.2}) {
-    extrapolator.AddPose(time, local_from_base, kNoOdometry);
+    extrapolator.AddPose(time, local_from_base, kNoOdometry, true);
     local_from_base = local_from_base * kSecondMotion;
   }
   EXPECT_THAT(extrapolator.Predict(2.21, kNoOdometry), PoseNear(local_from_base, 1e-12, 1e-12));
@@ -109,14 +109,25 @@ TEST(PoseExtrapolator, StaysWhenTimeRunsBackwards) {
   PoseExtrapolator extrapolator = MovingExtrapolator();
   EXPECT_THAT(extrapolator.Predict(9.0, kNoOdometry),
               PoseNear(kStart * kSecondMotion, 1e-12, 1e-12));
-  extrapolator.AddPose(9.0, kStart, kNoOdometry);
+  extrapolator.AddPose(9.0, kStart, kNoOdometry, true);
   EXPECT_EQ(extrapolator.Predict(10.0, kNoOdometry), kStart);
 }
 
 TEST(PoseExtrapolator, StaysAfterTwoPosesOfTheSameTime) {
   PoseExtrapolator extrapolator = MovingExtrapolator();
-  extrapolator.AddPose(11.0, kStart, kNoOdometry);
+  extrapolator.AddPose(11.0, kStart, kNoOdometry, true);
   EXPECT_EQ(extrapolator.Predict(12.0, kNoOdometry), kStart);
+}
+
+TEST(PoseExtrapolator, TellsThatOdometryStandsStillIfItSaysTheSameAsBefore) {
+  const Pose2 odom_from_base(-4.0, 1.0, 2.5);
+  PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);
+  EXPECT_FALSE(extrapolator.StandsStill(odom_from_base)) << "there is none before";
+  extrapolator.AddPose(10.0, kStart, odom_from_base, true);
+  EXPECT_TRUE(extrapolator.StandsStill(odom_from_base));
+  EXPECT_FALSE(extrapolator.StandsStill(Pose2(-4.0, 1.0, 2.5001)));
+  extrapolator.AddPose(11.0, kStart, kNoOdometry, true);
+  EXPECT_FALSE(extrapolator.StandsStill(odom_from_base)) << "nothing was measured before";
 }
 
 }  // namespace

@@ -41,5 +41,33 @@ TEST(ScoreOfKnown, LeavesOutPointsInUnknownCells) {
   EXPECT_EQ(ScoreOfKnown({{1.0, 0.0}}, Pose2(), grid).mean_probability, 0.0);
 }
 
+TEST(HoldsAhead, AlongAWallOnlyIfSomethingStandsAcross) {
+  const ProbabilityGrid grid = GridDrawn({"9999999",  //
+                                          "1111911",  //
+                                          "9999999"},
+                                         0.1);
+  const PointCloud walls = {{0.2, 0.0}, {0.3, 0.0}, {0.4, 0.0}, {0.2, 0.2}, {0.3, 0.2}};
+  PointCloud walls_and_post = walls;
+  for (int i = 0; i < 4; ++i) walls_and_post.emplace_back(0.4, 0.1);
+  EXPECT_FALSE(HoldsAhead(walls, Pose2(), grid));
+  EXPECT_TRUE(HoldsAhead(walls_and_post, Pose2(), grid));
+}
+
+TEST(HoldsAhead, NotIfTheScanFitsAsWellOnOneOfTheTwoSides) {
+  const ProbabilityGrid grid = GridDrawn({"1991"}, 0.1);
+  EXPECT_FALSE(HoldsAhead({{0.1, 0.0}}, Pose2(), grid));
+  EXPECT_FALSE(HoldsAhead({{0.2, 0.0}}, Pose2(), grid));
+  EXPECT_TRUE(HoldsAhead({{0.1, 0.0}, {0.2, 0.0}}, Pose2(), grid));
+}
+
+TEST(HoldsAhead, IsAskedInTheDirectionOfTheRobot) {
+  const ProbabilityGrid grid = GridDrawn({"111",  //
+                                          "999",  //
+                                          "111"},
+                                         0.1);
+  EXPECT_FALSE(HoldsAhead({{0.0, 0.0}}, Pose2(0.1, 0.1, 0.0), grid));
+  EXPECT_TRUE(HoldsAhead({{0.0, 0.0}}, Pose2(0.1, 0.1, M_PI / 2.0), grid));
+}
+
 }  // namespace
 }  // namespace loopscope
