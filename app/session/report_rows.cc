@@ -30,7 +30,7 @@ ReportRow OptionValueRow(const OptionRow& row) {
 std::string ToString(MatchStart start) {
   switch (start) {
     case MatchStart::kNone:
-      return "nowhere: it stays as predicted";
+      return "nowhere: it stays where odometry has it, or where it was";
     case MatchStart::kPrior:
       return "where predicted";
     case MatchStart::kVelocity:

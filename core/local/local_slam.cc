@@ -77,6 +77,8 @@ bool LocalSlam::Match(int scan, LocalSlamResult* result) {
   result->match_start = match.start;
   if (match.start != MatchStart::kNone) {
     result->local_from_base = Rounded(local_from_submap * match.submap_from_base);
+  } else if (!result->odom_from_base) {
+    result->local_from_base = extrapolator_.LastPose();
   } else if (const auto local_from_base = PlaceByScansAhead(scan, *submap)) {
     result->local_from_base = Rounded(*local_from_base);
     result->match_start = MatchStart::kAhead;

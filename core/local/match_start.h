@@ -6,7 +6,8 @@ namespace loopscope {
 
 /// Where the match of a scan began that was believed.
 enum class MatchStart {
-  kNone,      ///< it was not matched, or matched nowhere as expected: it stays where predicted
+  kNone,      ///< it was not matched, or matched nowhere as expected: it stays where odometry
+              ///< has it, or where the scan before was
   kPrior,     ///< where odometry has the robot, or without odometry the velocity
   kVelocity,  ///< where the robot would be had it gone on as before: odometry was not believed
   kRecovery,  ///< where a search in a wide window found it

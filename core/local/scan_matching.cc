@@ -111,9 +111,7 @@ ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& gri
   const auto recovered = Recover(points_in_base, grid, prior.submap_from_base,
                                  std::max(near.score + min_gain, min_score), options);
   if (recovered) return *recovered;
-  if (!prior.is_measured || MatchesWhatIsKnown(points_in_base, near, grid, min_score, options)) {
-    return near;
-  }
+  if (MatchesWhatIsKnown(points_in_base, near, grid, min_score, options)) return near;
   return {std::nullopt, prior.submap_from_base,
           MeanProbability(points_in_base, prior.submap_from_base, grid), MatchStart::kNone};
 }

@@ -33,8 +33,7 @@ struct MatchPrior {
 /// there, measured by the `expected_score`, but well where the velocity has it, odometry was wrong.
 /// Where odometry stands still, the better of the two is taken.
 /// If not, it is searched for in a wide window around the prior; if it is not found there either,
-/// and its points in known cells match badly too, it stays at the prior if that was measured, else
-/// at the bad match.
+/// and its points in known cells match badly too, it stays at the prior: kNone.
 ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& grid,
                     const MatchPrior& prior, double expected_score,
                     const LocalSlamOptions& options);

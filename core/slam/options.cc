@@ -23,6 +23,7 @@ Options LoopscopePreset() {
   local.second_prior_relative_score = 0.8;
   local.standstill_min_score_ratio = 1.02;
   local.recovery.min_relative_score = 0.6;
+  local.recovery.linear_search_window = 2.0;
   local.recovery.unmeasured_min_relative_score = 0.9;
   local.recovery.max_num_scans_ahead = 8;
   local.submaps.num_range_data = 40;

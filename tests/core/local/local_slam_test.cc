@@ -217,6 +217,17 @@ TEST(LocalSlam, PlacesScansThatMatchNowhereByTheNextOneThatDoes) {
   EXPECT_GT(error(AddAllScans(log, options), last_in_crowd), 12.0);
 }
 
+TEST(LocalSlam, StaysWhereItWasIfNothingTellsWhereItIs) {
+  const Simulation simulation = FirstScans(kJumpScan + 10);
+  LocalSlamOptions options = SmallLoopOptions().trajectory_builder_2d;
+  options.use_odometry = false;
+  const auto results = AddAllScans(LogThroughCrowd(simulation), options);
+  for (int scan = kJumpScan; scan < kJumpScan + kNumScansInCrowd; ++scan) {
+    EXPECT_EQ(results[scan].match_start, MatchStart::kNone) << scan;
+    EXPECT_EQ(results[scan].local_from_base, results[scan - 1].local_from_base) << scan;
+  }
+}
+
 TEST(LocalSlam, IsTheSameWithRecoveryWhereNothingGoesWrong) {
   const Simulation simulation = FirstScans(80);
   LocalSlamOptions options = SmallLoopOptions().trajectory_builder_2d;
