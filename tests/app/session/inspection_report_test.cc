@@ -94,7 +94,8 @@ TEST(ReportOnStep, TellsOfTheScanAndItsMatch) {
 
 TEST(ReportOnStep, TellsThatTheFirstScanWasNotMatched) {
   const InspectionReport report = ReportOnStep(SmallLoopRun(), StateAfterStep(SmallLoopRun(), 0));
-  EXPECT_EQ(ValueOf(report, "match began"), "nowhere: it stays where odometry has it, or where it was");
+  EXPECT_EQ(ValueOf(report, "match began"),
+            "nowhere: it stays where odometry has it, or where it was");
 }
 
 TEST(ReportOnStep, TellsWhatTheScanCaused) {
