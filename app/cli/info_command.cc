@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -96,6 +97,19 @@ void PrintOptions(const Options& options, bool all) {
     PrintRow("option", "{}", line);
 }
 
+/// How many scans were matched where; of what is unusual, at which scan to begin to look.
+void PrintMatches(const Recording& recording) {
+  std::map<MatchStart, std::vector<int>> steps;
+  for (int step = 0; step < recording.num_steps(); ++step) {
+    if (const auto start = recording.step(step).match_start) steps[*start].push_back(step);
+  }
+  for (const auto& [start, found] : steps) {
+    const std::string first =
+        start == MatchStart::kPrior ? "" : fmt::format(", first at scan {}", found.front());
+    PrintRow("matches", "{} {}{}", found.size(), ToString(start), first);
+  }
+}
+
 void PrintLoops(const std::vector<LoopCandidate>& candidates) {
   for (const Verdict verdict : kRecordedVerdicts) {
     const auto has_verdict = [verdict](const LoopCandidate& c) { return c.verdict == verdict; };
@@ -112,6 +126,7 @@ void PrintRecording(const InfoArguments& arguments) {
            seconds ? fmt::format("finished in {:.1f} s", *seconds)
                    : "not finished: interrupted, or still running");
   PrintRow("nodes", "{} in {} submaps", recording.nodes().size(), recording.submaps().size());
+  PrintMatches(recording);
   PrintLoops(recording.candidates());
   PrintRow("optimized", "{} times", recording.optimizations().size());
   PrintRow("hash", "{:016x}", HashOfRecording(recording));

@@ -27,7 +27,7 @@ ReportRow OptionValueRow(const OptionRow& row) {
   return {row.key, rounded.size() < exact.size() ? rounded : exact, "", true, exact};
 }
 
-std::string ToString(MatchStart start) {
+std::string Sentence(MatchStart start) {
   switch (start) {
     case MatchStart::kNone:
       return "nowhere: it stays where odometry has it, or where it was";
@@ -79,7 +79,7 @@ Section MatchedPoses(const Recording& recording, int step) {
   }
   section.rows.push_back(Row("matched", PoseText(record.local_from_base)));
   if (record.match_start) {
-    section.rows.push_back(Row("match began", ToString(*record.match_start)));
+    section.rows.push_back(Row("match began", Sentence(*record.match_start)));
   }
   section.rows.push_back(Row("moved by the match",
                              DifferenceText(record.local_from_base_prior, record.local_from_base)));

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+
 namespace loopscope {
 
 /// Where the match of a scan began that was believed.
@@ -13,5 +15,8 @@ enum class MatchStart {
   kRecovery,  ///< where a search in a wide window found it
   kAhead,     ///< nowhere, but a scan soon after it did match: it has its share of the jump there
 };
+
+/// In a few words, such as "by the velocity".
+std::string ToString(MatchStart start);
 
 }  // namespace loopscope

@@ -49,23 +49,6 @@ LayerKeys KeysOf(const std::vector<ScanPlace>& places, const MapColors& colors) 
   return keys;
 }
 
-/// Where the match began; nothing if where predicted, as nearly all do.
-std::optional<std::string> UnusualStart(const Step& step) {
-  switch (step.match_start.value_or(MatchStart::kPrior)) {
-    case MatchStart::kNone:
-      return "nowhere: not matched";
-    case MatchStart::kPrior:
-      return std::nullopt;
-    case MatchStart::kVelocity:
-      return "by the velocity";
-    case MatchStart::kRecovery:
-      return "by a wide search";
-    case MatchStart::kAhead:
-      return "nowhere: led by scans ahead";
-  }
-  return std::nullopt;
-}
-
 Annotation Describe(const Recording& recording, int step, const MatchReplay& match) {
   const Pose2 correction = match.submap_from_base_prior.Inverse() * match.submap_from_base;
   const std::optional<NodeId> node = recording.step(step).node;
@@ -80,9 +63,8 @@ Annotation Describe(const Recording& recording, int step, const MatchReplay& mat
                       {"score predicted", fmt::format("{:.3f}", match.prior_score)},
                       {"score refined", fmt::format("{:.3f}", match.score)},
                       {"points", fmt::format("{}", match.points.size())}};
-  if (const auto start = UnusualStart(recording.step(step))) {
-    annotation.facts.push_back({"match began", *start});
-  }
+  const MatchStart start = recording.step(step).match_start.value_or(MatchStart::kPrior);
+  if (start != MatchStart::kPrior) annotation.facts.push_back({"match began", ToString(start)});
   return annotation;
 }
 

@@ -58,6 +58,8 @@ TEST_F(CommandTest, InfoTellsOfRecordings) {
   const ProgramRun run = Run("info run.loopscope");
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("100 of 100 scans, finished in "));
+  EXPECT_THAT(run.out, HasSubstr("matches    1 nowhere: not matched, first at scan 0\n"));
+  EXPECT_THAT(run.out, HasSubstr("matches    99 where predicted\n"));
   EXPECT_THAT(run.out, HasSubstr("loopscope, but for:"));
   EXPECT_THAT(run.out, HasSubstr("TRAJECTORY_BUILDER_2D.submaps.num_range_data = 10"));
   EXPECT_THAT(run.out, Not(HasSubstr("POSE_GRAPH.constraint_builder.min_score")));
