@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/local/scan_matching.h"
 #include "core/local/scan_preparation.h"
 #include "core/local/shared_jump.h"
 #include "core/matching/match_score.h"
@@ -56,17 +55,8 @@ bool LocalSlam::Match(int scan, LocalSlamResult* result) {
   const std::optional<PointCloud> points = PointsToMatch(result->range_data);
   if (!points) return false;
   const Pose2& local_from_submap = submap->local_from_submap;
-  const Pose2 submap_from_local = local_from_submap.Inverse();
-  MatchPrior prior{submap_from_local * result->local_from_base_prior};
-  if (result->odom_from_base) {
-    prior.is_measured = true;
-    prior.odometry_stands_still = extrapolator_.StandsStill(*result->odom_from_base);
-    if (num_matched_ >= kNumScansUntilVelocityIsKnown) {
-      prior.submap_from_base_by_velocity =
-          submap_from_local * extrapolator_.PredictByVelocity(log_.scans[scan].time);
-    }
-  }
-  const ScanMatch match = MatchScan(*points, submap->grid, prior, expected_score_, options_);
+  const ScanMatch match =
+      MatchScan(*points, submap->grid, PriorOf(scan, *result, *submap), expected_score_, options_);
   ++num_matched_;
   expected_score_ +=
       std::max(kExpectedScoreGain, 1.0 / num_matched_) * (match.score - expected_score_);
@@ -85,6 +75,20 @@ bool LocalSlam::Match(int scan, LocalSlamResult* result) {
   }
   return match.start == MatchStart::kPrior &&
          HoldsAhead(*points, match.submap_from_base, submap->grid);
+}
+
+MatchPrior LocalSlam::PriorOf(int scan, const LocalSlamResult& result,
+                              const ActiveSubmap& submap) const {
+  const Pose2 submap_from_local = submap.local_from_submap.Inverse();
+  MatchPrior prior{submap_from_local * result.local_from_base_prior};
+  if (!result.odom_from_base) return prior;
+  prior.is_measured = true;
+  prior.odometry_stands_still = extrapolator_.StandsStill(*result.odom_from_base);
+  if (num_matched_ >= kNumScansUntilVelocityIsKnown) {
+    prior.submap_from_base_by_velocity =
+        submap_from_local * extrapolator_.PredictByVelocity(log_.scans[scan].time);
+  }
+  return prior;
 }
 
 std::optional<Pose2> LocalSlam::PlaceByScansAhead(int scan, const ActiveSubmap& submap) const {

@@ -8,6 +8,7 @@
 #include "core/local/local_slam_options.h"
 #include "core/local/match_start.h"
 #include "core/local/pose_extrapolator.h"
+#include "core/local/scan_matching.h"
 #include "core/sensor/scan_log.h"
 
 namespace loopscope {
@@ -37,6 +38,7 @@ class LocalSlam {
  private:
   /// Whether that tells how far ahead the robot came.
   bool Match(int scan, LocalSlamResult* result);
+  MatchPrior PriorOf(int scan, const LocalSlamResult& result, const ActiveSubmap& submap) const;
   /// Where scan `scan` was, which matches nowhere in `submap`: between the scan before it and the
   /// first of those ahead that does match there.
   std::optional<Pose2> PlaceByScansAhead(int scan, const ActiveSubmap& submap) const;

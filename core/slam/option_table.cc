@@ -70,7 +70,7 @@ Rows RecoveryRows(RecoveryOptions* o) {
       {"min_relative_score", &o->min_relative_score, 0, 1, "",
        "A scan that scores less than this share of the average is searched for widely; 0: never."},
       {"unmeasured_min_relative_score", &o->unmeasured_min_relative_score, 0, 1, "",
-       "Likewise where no odometry predicted the scan, or it stands still; any gain is taken "
+       "The same share where no odometry predicted the scan, or it stands still; any gain is taken "
        "then."},
       {"min_gain", &o->min_gain, 0, 1, "",
        "What was found is taken if its mean probability is higher by this much."},
