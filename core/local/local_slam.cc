@@ -3,7 +3,6 @@
 #include "core/local/local_slam.h"
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 #include "core/local/scan_preparation.h"
@@ -73,7 +72,7 @@ bool LocalSlam::Match(int scan, LocalSlamResult* result) {
     result->local_from_base = Rounded(*local_from_base);
     result->match_start = MatchStart::kAhead;
   }
-  return match.start == MatchStart::kPrior &&
+  return result->odom_from_base && match.start == MatchStart::kPrior &&
          HoldsAhead(*points, match.submap_from_base, submap->grid);
 }
 

@@ -36,7 +36,7 @@ class LocalSlam {
   LocalSlamResult AddScan(int scan);
 
  private:
-  /// Whether that tells how far ahead the robot came.
+  /// Whether that tells how far ahead the robot came, for odometry to be calibrated by.
   bool Match(int scan, LocalSlamResult* result);
   MatchPrior PriorOf(int scan, const LocalSlamResult& result, const ActiveSubmap& submap) const;
   /// Where scan `scan` was, which matches nowhere in `submap`: between the scan before it and the

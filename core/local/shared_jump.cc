@@ -11,6 +11,9 @@ namespace {
 constexpr double kLeastTurn = 1e-3;  // [rad]
 constexpr double kLeastWay = 1e-3;   // [m]
 
+double TurnOf(const Pose2& motion) { return kLeastTurn + std::abs(motion.rotation); }
+double WayOf(const Pose2& motion) { return kLeastWay + motion.translation.norm(); }
+
 }  // namespace
 
 Pose2 FirstOfSharedJump(const Pose2& local_from_last,
@@ -19,23 +22,27 @@ Pose2 FirstOfSharedJump(const Pose2& local_from_last,
   std::vector<Pose2> motions;
   double turn = 0.0;
   double way = 0.0;
-  const Pose2* before = &local_from_last;
+  Pose2 before = local_from_last;
   for (const Pose2& pose : local_from_predicted) {
-    motions.push_back(before->Inverse() * pose);
-    turn += kLeastTurn + std::abs(motions.back().rotation);
-    way += kLeastWay + motions.back().translation.norm();
-    before = &pose;
+    motions.push_back(before.Inverse() * pose);
+    turn += TurnOf(motions.back());
+    way += WayOf(motions.back());
+    before = pose;
   }
-  const double missing_turn = NormalizeAngle(local_from_found.rotation - before->rotation);
-  Pose2 chain = local_from_last;
-  Pose2 first;
-  for (Pose2& motion : motions) {
-    const double share = (kLeastTurn + std::abs(motion.rotation)) / turn;
-    chain = chain * Pose2(motion.translation, motion.rotation + share * missing_turn);
-    if (&motion == &motions.front()) first = chain;
+
+  const double missing_turn = NormalizeAngle(local_from_found.rotation - before.rotation);
+  std::vector<Pose2> local_from_turned;
+  before = local_from_last;
+  for (const Pose2& motion : motions) {
+    const double extra_turn = TurnOf(motion) / turn * missing_turn;
+    before = before * Pose2(motion.translation, motion.rotation + extra_turn);
+    local_from_turned.push_back(before);
   }
-  const double share = (kLeastWay + motions.front().translation.norm()) / way;
-  first.translation += share * (local_from_found.translation - chain.translation);
+
+  Pose2 first = local_from_turned.front();
+  const Eigen::Vector2d missing_way =
+      local_from_found.translation - local_from_turned.back().translation;
+  first.translation += WayOf(motions.front()) / way * missing_way;
   return first;
 }
 

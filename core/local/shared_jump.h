@@ -12,6 +12,7 @@ namespace loopscope {
 /// of them from `local_from_last` on, the pose before, but the last of them turned out to be at
 /// `local_from_found`. What odometry was wrong by is shared among its motions: of the rotation each
 /// takes as much as it turned, of what is missing then in translation as much as it moved.
+/// `local_from_predicted` must not be empty.
 Pose2 FirstOfSharedJump(const Pose2& local_from_last,
                         const std::vector<Pose2>& local_from_predicted,
                         const Pose2& local_from_found);

@@ -143,8 +143,7 @@ Rows LocalSlamRows(LocalSlamOptions* o) {
        "also matched where the velocity does; 0: never. Not in Cartographer."});
   rows.push_back({"standstill_min_score_ratio", &o->standstill_min_score_ratio, 0, 10, "",
                   "Where odometry stands still, a scan is believed where the velocity has it if it "
-                  "scores this "
-                  "many times as much there; 0: never. Not in Cartographer."});
+                  "scores this many times as much there; 0: never. Not in Cartographer."});
   rows.push_back({"use_online_correlative_scan_matching", &o->use_online_correlative_scan_matching,
                   0, 0, "", "Whether the correlative matcher runs before (CS)."});
   Append("real_time_correlative_scan_matcher.",

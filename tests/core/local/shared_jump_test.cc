@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/local/shared_jump.h"
 
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "tests/support/pose_matchers.h"
