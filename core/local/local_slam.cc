@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/local/hanging_odometry.h"
 #include "core/local/scan_preparation.h"
 #include "core/local/shared_jump.h"
 #include "core/matching/match_score.h"
@@ -31,31 +32,35 @@ LocalSlam::LocalSlam(const ScanLog& log, const LocalSlamOptions& options)
 LocalSlamResult LocalSlam::AddScan(int scan) {
   const double time = log_.scans[scan].time;
   LocalSlamResult result;
-  if (options_.use_odometry) {
-    if (const auto reading = OdometryOfScan(log_, scan)) {
-      result.odom_from_base = reading->odom_from_base;
-    }
-  }
+  result.odom_from_base = OdometryOf(scan);
   result.range_data = PrepareRangeData(log_, scan, options_);
   result.has_returns = !result.range_data.returns.empty();
   result.local_from_base_prior = Rounded(extrapolator_.Predict(time, result.odom_from_base));
   result.local_from_base = result.local_from_base_prior;
-  const bool way_is_held = result.has_returns && Match(scan, &result);
-  extrapolator_.AddPose(time, result.local_from_base, result.odom_from_base, way_is_held);
+  if (result.has_returns) Match(scan, &result);
+  extrapolator_.AddPose(time, result.local_from_base, result.odom_from_base, result.way_is_held);
   if (result.has_returns && !motion_filter_.IsSimilar(time, result.local_from_base)) {
     result.insertion = active_submaps_.Insert(result.local_from_base, result.range_data);
   }
   return result;
 }
 
-bool LocalSlam::Match(int scan, LocalSlamResult* result) {
+std::optional<Pose2> LocalSlam::OdometryOf(int scan) const {
+  if (!options_.use_odometry) return std::nullopt;
+  const auto reading = OdometryOfScan(log_, scan);
+  if (!reading || OdometryHangs(log_, scan, options_.max_changed_share_at_standstill)) {
+    return std::nullopt;
+  }
+  return reading->odom_from_base;
+}
+
+void LocalSlam::Match(int scan, LocalSlamResult* result) {
   const ActiveSubmap* submap = active_submaps_.MatchingSubmap();
-  if (submap == nullptr) return false;
+  if (submap == nullptr) return;
   const std::optional<PointCloud> points = PointsToMatch(result->range_data);
-  if (!points) return false;
+  if (!points) return;
   const Pose2& local_from_submap = submap->local_from_submap;
-  const ScanMatch match =
-      MatchScan(*points, submap->grid, PriorOf(scan, *result, *submap), expected_score_, options_);
+  const ScanMatch match = MatchInDoubt(*points, scan, *result, *submap);
   ++num_matched_;
   expected_score_ +=
       std::max(kExpectedScoreGain, 1.0 / num_matched_) * (match.score - expected_score_);
@@ -72,22 +77,50 @@ bool LocalSlam::Match(int scan, LocalSlamResult* result) {
     result->local_from_base = Rounded(*local_from_base);
     result->match_start = MatchStart::kAhead;
   }
-  return result->odom_from_base && match.start == MatchStart::kPrior &&
-         HoldsAhead(*points, match.submap_from_base, submap->grid);
+  result->way_is_held = result->odom_from_base && match.start == MatchStart::kPrior &&
+                        HoldsAhead(*points, match.submap_from_base, submap->grid);
 }
 
 MatchPrior LocalSlam::PriorOf(int scan, const LocalSlamResult& result,
                               const ActiveSubmap& submap) const {
   const Pose2 submap_from_local = submap.local_from_submap.Inverse();
   MatchPrior prior{submap_from_local * result.local_from_base_prior};
-  if (!result.odom_from_base) return prior;
+  if (!result.odom_from_base || !extrapolator_.HasOdometry()) return prior;
   prior.is_measured = true;
-  prior.odometry_stands_still = extrapolator_.StandsStill(*result.odom_from_base);
   if (num_matched_ >= kNumScansUntilVelocityIsKnown) {
     prior.submap_from_base_by_velocity =
         submap_from_local * extrapolator_.PredictByVelocity(log_.scans[scan].time);
   }
   return prior;
+}
+
+std::optional<double> LocalSlam::MinScoreRatioOfDoubt(const LocalSlamResult& result) const {
+  if (!result.odom_from_base || num_matched_ < kNumScansUntilVelocityIsKnown) return std::nullopt;
+  double ratio = 0.0;
+  if (extrapolator_.StandsStill(*result.odom_from_base)) {
+    ratio = options_.standstill_min_score_ratio;
+  } else if (extrapolator_.IsUnusual(*result.odom_from_base)) {
+    ratio = options_.unusual_motion_min_score_ratio;
+  }
+  return ratio > 0.0 ? std::optional<double>(ratio) : std::nullopt;
+}
+
+ScanMatch LocalSlam::MatchInDoubt(const PointCloud& points, int scan, const LocalSlamResult& result,
+                                  const ActiveSubmap& submap) const {
+  const ScanMatch match =
+      MatchScan(points, submap.grid, PriorOf(scan, result, submap), expected_score_, options_);
+  const std::optional<double> min_score_ratio = MinScoreRatioOfDoubt(result);
+  if (!min_score_ratio) return match;
+  const Pose2 submap_from_base_by_velocity =
+      submap.local_from_submap.Inverse() * extrapolator_.PredictByVelocity(log_.scans[scan].time);
+  ScanMatch without_odometry =
+      MatchScan(points, submap.grid, {submap_from_base_by_velocity}, expected_score_, options_);
+  if (without_odometry.start == MatchStart::kNone ||
+      without_odometry.score < *min_score_ratio * match.score) {
+    return match;
+  }
+  if (without_odometry.start == MatchStart::kPrior) without_odometry.start = MatchStart::kVelocity;
+  return without_odometry;
 }
 
 std::optional<Pose2> LocalSlam::PlaceByScansAhead(int scan, const ActiveSubmap& submap) const {
@@ -96,10 +129,10 @@ std::optional<Pose2> LocalSlam::PlaceByScansAhead(int scan, const ActiveSubmap& 
   PoseExtrapolator extrapolator = extrapolator_;
   std::vector<Pose2> local_from_predicted;
   for (int ahead = scan; ahead < end; ++ahead) {
-    const auto reading = OdometryOfScan(log_, ahead);
+    const std::optional<Pose2> odom_from_base = OdometryOf(ahead);
     const double time = log_.scans[ahead].time;
-    const Pose2 predicted = extrapolator.Predict(time, reading->odom_from_base);
-    extrapolator.AddPose(time, predicted, reading->odom_from_base, false);
+    const Pose2 predicted = extrapolator.Predict(time, odom_from_base);
+    extrapolator.AddPose(time, predicted, odom_from_base, false);
     local_from_predicted.push_back(predicted);
     if (ahead == scan) continue;
     const auto points = PointsToMatch(PrepareRangeData(log_, ahead, options_));

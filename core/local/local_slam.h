@@ -15,11 +15,12 @@ namespace loopscope {
 
 /// What local SLAM made of a scan.
 struct LocalSlamResult {
-  std::optional<Pose2> odom_from_base;               ///< if odometry is used and there is any
-  Pose2 local_from_base_prior;                       ///< extrapolated; Rounded, like those below
+  std::optional<Pose2> odom_from_base;  ///< if it is used, there is any, and it does not hang
+  Pose2 local_from_base_prior;          ///< extrapolated; Rounded, like those below
   std::optional<Pose2> local_from_base_correlative;  ///< after the correlative matcher, if it ran
   Pose2 local_from_base;                             ///< after (CS), or extrapolated
   MatchStart match_start = MatchStart::kNone;
+  bool way_is_held = false;  ///< the match tells how far ahead the robot came since the scan before
   bool has_returns = false;
   RangeData range_data;                               ///< in the frame of the robot
   std::optional<ActiveSubmaps::Insertion> insertion;  ///< unless the motion filter dropped the scan
@@ -36,9 +37,16 @@ class LocalSlam {
   LocalSlamResult AddScan(int scan);
 
  private:
-  /// Whether that tells how far ahead the robot came, for odometry to be calibrated by.
-  bool Match(int scan, LocalSlamResult* result);
+  void Match(int scan, LocalSlamResult* result);
+  /// If odometry is used, there is any, and it does not hang.
+  std::optional<Pose2> OdometryOf(int scan) const;
   MatchPrior PriorOf(int scan, const LocalSlamResult& result, const ActiveSubmap& submap) const;
+  /// How many times as much the scan must score without odometry for that to be disbelieved;
+  /// nothing if there is no reason to doubt it.
+  std::optional<double> MinScoreRatioOfDoubt(const LocalSlamResult& result) const;
+  /// Where odometry has the scan, or if that is doubtful, where it matches without.
+  ScanMatch MatchInDoubt(const PointCloud& points, int scan, const LocalSlamResult& result,
+                         const ActiveSubmap& submap) const;
   /// Where scan `scan` was, which matches nowhere in `submap`: between the scan before it and the
   /// first of those ahead that does match there.
   std::optional<Pose2> PlaceByScansAhead(int scan, const ActiveSubmap& submap) const;

@@ -17,8 +17,12 @@ struct RecoveryOptions {
   /// Search if the mean probability at the points is below this share of what the scans before had
   /// on average; 0: never.
   double min_relative_score = 0.0;
-  /// Likewise where no odometry predicted the scan, or it stands still; any gain is taken then.
+  /// Likewise where no odometry predicted the scan; any gain is taken then.
   double unmeasured_min_relative_score = 0.0;
+  double unmeasured_linear_search_window = 1.0;                      ///< [m]
+  double unmeasured_angular_search_window = DegreesToRadians(30.0);  ///< [rad]
+  /// What lies beyond that window must score this many times as much as all in it.
+  double unmeasured_min_score_ratio = 1.0;
   double min_gain = 0.2;  ///< take what was found if its mean probability is higher by this much
   double linear_search_window = 1.0;                      ///< [m]
   double angular_search_window = DegreesToRadians(90.0);  ///< [rad]
@@ -56,9 +60,15 @@ struct LocalSlamOptions {
   /// A scan that matches less than this share of what those before had on average, where odometry
   /// puts it, is also matched where the velocity does; 0: never. Not in Cartographer.
   double second_prior_relative_score = 0.0;
-  /// Where odometry stands still, a scan is also matched where the velocity has it, and believed
-  /// there if it scores this many times as much; 0: never. Not in Cartographer. Odometry may hang.
+  /// Odometry that measured no motion hangs, and is not used, if more than this share of what the
+  /// scanner sees changed meanwhile; 1: it never does. Not in Cartographer.
+  double max_changed_share_at_standstill = 1.0;
+  /// Where odometry stands still, a scan is also matched as if there were none, and believed there
+  /// if it scores this many times as much; 0: never. Not in Cartographer. Odometry may hang.
   double standstill_min_score_ratio = 0.0;
+  /// Likewise where odometry measured a motion that it hardly ever measures, see UsualMotion. Not
+  /// in Cartographer. Odometry may jump.
+  double unusual_motion_min_score_ratio = 0.0;
   /// A pose that no odometry predicted is looked for in windows this many times as large, and its
   /// deviation from the prediction weighs as much less. Not in Cartographer.
   double unmeasured_prior_scale = 1.0;

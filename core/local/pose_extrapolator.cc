@@ -42,7 +42,9 @@ void PoseExtrapolator::AddPose(double time, const Pose2& local_from_base,
   if (last_) {
     const Pose2 motion = last_->local_from_base.Inverse() * local_from_base;
     if (last_->odom_from_base && odom_from_base) {
-      calibration_.Learn(last_->odom_from_base->Inverse() * *odom_from_base, motion, way_is_held);
+      const Pose2 odometry_motion = last_->odom_from_base->Inverse() * *odom_from_base;
+      calibration_.Learn(odometry_motion, motion, way_is_held);
+      usual_motion_.Learn(odometry_motion);
     }
     if (before_last_) pace_.Learn(LastMotion(), StretchUntil(time), motion);
     const double gain = before_last_ ? velocity_gain_ : 1.0;

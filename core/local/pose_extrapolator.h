@@ -7,6 +7,7 @@
 #include "core/geometry/pose2.h"
 #include "core/local/odometry_calibration.h"
 #include "core/local/steady_pace.h"
+#include "core/local/usual_motion.h"
 
 namespace loopscope {
 
@@ -30,10 +31,19 @@ class PoseExtrapolator {
   /// The identity before any pose is known.
   Pose2 LastPose() const { return last_ ? last_->local_from_base : Pose2(); }
 
+  /// Of the last pose, so that it can measure the motion since.
+  bool HasOdometry() const { return last_ && last_->odom_from_base; }
+
   /// Whether odometry measured no motion at all since the last pose: the robot rests, or odometry
   /// hangs.
   bool StandsStill(const Pose2& odom_from_base) const {
     return last_ && last_->odom_from_base == odom_from_base;
+  }
+
+  /// Whether odometry measured a motion since the last pose that it hardly ever measures.
+  bool IsUnusual(const Pose2& odom_from_base) const {
+    return HasOdometry() &&
+           usual_motion_.IsExceededBy(last_->odom_from_base->Inverse() * odom_from_base);
   }
 
   /// Tells where the scan at `time` was matched, and whether that tells how far ahead it is, see
@@ -55,6 +65,7 @@ class PoseExtrapolator {
   std::optional<Known> last_;
   std::optional<Known> before_last_;
   OdometryCalibration calibration_;
+  UsualMotion usual_motion_;
   SteadyPace pace_;
   double velocity_gain_;
   Eigen::Vector2d velocity_ =

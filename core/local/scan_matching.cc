@@ -43,37 +43,29 @@ LocalSlamOptions Loosened(LocalSlamOptions options) {
   return options;
 }
 
-/// Odometry that stands still while the robot moves hangs.
-bool MayHang(const MatchPrior& prior, const LocalSlamOptions& options) {
-  return prior.odometry_stands_still && options.standstill_min_score_ratio > 0.0;
-}
-
-/// Where odometry has it, or where the velocity does, see second_prior_relative_score and
-/// standstill_min_score_ratio.
+/// Where odometry has it, or where the velocity does, see second_prior_relative_score.
 ScanMatch MatchAroundPriors(const PointCloud& points_in_base, const ProbabilityGrid& grid,
                             const MatchPrior& prior, double expected_score,
                             const LocalSlamOptions& options) {
   const ScanMatch match = MatchNear(points_in_base, grid, prior.submap_from_base,
                                     prior.is_measured ? options : Loosened(options));
   if (!prior.submap_from_base_by_velocity) return match;
-  const bool may_hang = MayHang(prior, options);
   const double good_score = options.second_prior_relative_score * expected_score;
-  if (!may_hang && match.score >= good_score) return match;
+  if (match.score >= good_score) return match;
   ScanMatch by_velocity =
       MatchNear(points_in_base, grid, *prior.submap_from_base_by_velocity, Loosened(options));
   by_velocity.start = MatchStart::kVelocity;
-  const double min_score = may_hang ? options.standstill_min_score_ratio * match.score : good_score;
-  return by_velocity.score >= min_score ? by_velocity : match;
+  return by_velocity.score >= good_score ? by_velocity : match;
 }
 
-/// The best match in the wide window, if it beats `min_score`.
-std::optional<ScanMatch> Recover(const PointCloud& points_in_base, const ProbabilityGrid& grid,
-                                 const Pose2& submap_from_base_prior, double min_score,
-                                 const LocalSlamOptions& options) {
+/// The best match in a window of +-`linear` [m] and +-`angular` [rad], if it beats `min_score`.
+std::optional<ScanMatch> SearchWidely(const PointCloud& points_in_base, const ProbabilityGrid& grid,
+                                      const Pose2& submap_from_base_prior, double linear,
+                                      double angular, double min_score,
+                                      const LocalSlamOptions& options) {
   const BranchAndBoundMatcher matcher(grid, kRecoveryDepth);
   const SearchOutcome outcome =
-      matcher.Search(points_in_base, submap_from_base_prior, options.recovery.linear_search_window,
-                     options.recovery.angular_search_window, min_score);
+      matcher.Search(points_in_base, submap_from_base_prior, linear, angular, min_score);
   if (!outcome.winner) return std::nullopt;
   const Pose2& found = outcome.winner->submap_from_scan;
   ScanMatch match{
@@ -83,6 +75,27 @@ std::optional<ScanMatch> Recover(const PointCloud& points_in_base, const Probabi
       0.0, MatchStart::kRecovery};
   match.score = MeanProbability(points_in_base, match.submap_from_base, grid);
   return match;
+}
+
+/// The best match in the wide window, if it beats `min_score` and `near_score` by enough.
+std::optional<ScanMatch> Recover(const PointCloud& points_in_base, const ProbabilityGrid& grid,
+                                 const Pose2& submap_from_base_prior, bool prior_is_measured,
+                                 double near_score, double min_score,
+                                 const LocalSlamOptions& options) {
+  const RecoveryOptions& recovery = options.recovery;
+  const auto search = [&](double linear, double angular, double score_to_beat) {
+    return SearchWidely(points_in_base, grid, submap_from_base_prior, linear, angular,
+                        std::max(score_to_beat, min_score), options);
+  };
+  const auto search_all = [&](double score_to_beat) {
+    return search(recovery.linear_search_window, recovery.angular_search_window, score_to_beat);
+  };
+  if (prior_is_measured) return search_all(near_score + recovery.min_gain);
+  const auto nearer = search(recovery.unmeasured_linear_search_window,
+                             recovery.unmeasured_angular_search_window, near_score);
+  const double best_score = nearer ? std::max(near_score, nearer->score) : near_score;
+  const auto farther = search_all(recovery.unmeasured_min_score_ratio * best_score);
+  return farther ? farther : nearer;
 }
 
 /// A scan that looks where nothing is known yet scores little wherever it is put; its points among
@@ -101,15 +114,14 @@ ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& gri
                     const LocalSlamOptions& options) {
   const ScanMatch near = MatchAroundPriors(points_in_base, grid, prior, expected_score, options);
   const RecoveryOptions& recovery = options.recovery;
-  const bool is_trusted = prior.is_measured && !MayHang(prior, options);
   const double min_score = recovery.min_relative_score * expected_score;
   const double doubtful_score =
-      is_trusted ? min_score
-                 : std::max(min_score, recovery.unmeasured_min_relative_score * expected_score);
+      prior.is_measured
+          ? min_score
+          : std::max(min_score, recovery.unmeasured_min_relative_score * expected_score);
   if (near.score >= doubtful_score) return near;
-  const double min_gain = is_trusted ? recovery.min_gain : 0.0;
-  const auto recovered = Recover(points_in_base, grid, prior.submap_from_base,
-                                 std::max(near.score + min_gain, min_score), options);
+  const auto recovered = Recover(points_in_base, grid, prior.submap_from_base, prior.is_measured,
+                                 near.score, min_score, options);
   if (recovered) return *recovered;
   if (MatchesWhatIsKnown(points_in_base, near, grid, min_score, options)) return near;
   return {std::nullopt, prior.submap_from_base,

@@ -22,18 +22,16 @@ struct ScanMatch {
 /// Where a scan is expected before it is matched.
 struct MatchPrior {
   Pose2 submap_from_base;
-  bool is_measured = false;            ///< by odometry
-  bool odometry_stands_still = false;  ///< it measured no motion at all
+  bool is_measured = false;  ///< by odometry
   /// Where the robot would be had it gone on as before, if odometry says otherwise.
   std::optional<Pose2> submap_from_base_by_velocity{};
 };
 
 /// Local scan matching: the correlative matcher, if it is switched on, then (CS). Around a prior
 /// that was not measured both look further, see unmeasured_prior_scale. If the scan matches badly
-/// there, measured by the `expected_score`, but well where the velocity has it, odometry was wrong;
-/// where odometry stands still, the better of the two is taken. If it matches badly at both, it is
-/// searched for in a wide window around the prior; if it is not found there either, and its points
-/// in known cells match badly too, it stays at the prior: kNone.
+/// there, measured by the `expected_score`, but well where the velocity has it, odometry was wrong.
+/// If it matches badly at both, it is searched for in a wide window around the prior; if it is not
+/// found there either, and its points in known cells match badly too, it stays at the prior: kNone.
 ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& grid,
                     const MatchPrior& prior, double expected_score,
                     const LocalSlamOptions& options);

@@ -70,8 +70,13 @@ Rows RecoveryRows(RecoveryOptions* o) {
       {"min_relative_score", &o->min_relative_score, 0, 1, "",
        "A scan that scores less than this share of the average is searched for widely; 0: never."},
       {"unmeasured_min_relative_score", &o->unmeasured_min_relative_score, 0, 1, "",
-       "The same share where no odometry predicted the scan, or it stands still; any gain is taken "
-       "then."},
+       "The same share where no odometry predicted the scan; any gain is taken then."},
+      {"unmeasured_linear_search_window", &o->unmeasured_linear_search_window, 0, 10, "m",
+       "Where such a scan is looked for first."},
+      {"unmeasured_angular_search_window", &o->unmeasured_angular_search_window, 0, kPi, "rad",
+       "Likewise, to either side."},
+      {"unmeasured_min_score_ratio", &o->unmeasured_min_score_ratio, 0, 10, "",
+       "What lies beyond must score this many times as much as all that lies there."},
       {"min_gain", &o->min_gain, 0, 1, "",
        "What was found is taken if its mean probability is higher by this much."},
       {"linear_search_window", &o->linear_search_window, 0, 10, "m",
@@ -141,9 +146,18 @@ Rows LocalSlamRows(LocalSlamOptions* o) {
       {"second_prior_relative_score", &o->second_prior_relative_score, 0, 1, "",
        "A scan that matches less than this share of the average where odometry puts it is "
        "also matched where the velocity does; 0: never. Not in Cartographer."});
-  rows.push_back({"standstill_min_score_ratio", &o->standstill_min_score_ratio, 0, 10, "",
-                  "Where odometry stands still, a scan is believed where the velocity has it if it "
-                  "scores this many times as much there; 0: never. Not in Cartographer."});
+  rows.push_back(
+      {"max_changed_share_at_standstill", &o->max_changed_share_at_standstill, 0, 1, "",
+       "Odometry that measured no motion hangs, and is not used, if more than this share "
+       "of what the scanner sees changed; 1: it never does. Not in Cartographer."});
+  rows.push_back(
+      {"standstill_min_score_ratio", &o->standstill_min_score_ratio, 0, 10, "",
+       "Where odometry stands still, a scan is believed where it matches without odometry "
+       "if it scores this many times as much there; 0: never. Not in Cartographer."});
+  rows.push_back(
+      {"unusual_motion_min_score_ratio", &o->unusual_motion_min_score_ratio, 0, 10, "",
+       "Likewise where odometry measured a motion that it hardly ever measures; 0: never. "
+       "Not in Cartographer."});
   rows.push_back({"use_online_correlative_scan_matching", &o->use_online_correlative_scan_matching,
                   0, 0, "", "Whether the correlative matcher runs before (CS)."});
   Append("real_time_correlative_scan_matcher.",

@@ -21,10 +21,13 @@ Options LoopscopePreset() {
   local.ceres_scan_matcher.occupied_space_weight = 10.0;
   local.velocity_gain = 0.5;
   local.second_prior_relative_score = 0.8;
+  local.max_changed_share_at_standstill = 0.25;
   local.standstill_min_score_ratio = 1.02;
+  local.unusual_motion_min_score_ratio = 1.2;
   local.recovery.min_relative_score = 0.6;
   local.recovery.linear_search_window = 2.0;
   local.recovery.unmeasured_min_relative_score = 0.9;
+  local.recovery.unmeasured_min_score_ratio = 1.15;
   local.recovery.max_num_scans_ahead = 8;
   local.submaps.num_range_data = 40;
   local.submaps.range_data_inserter.hit_probability = 0.7;

@@ -141,6 +141,7 @@ TEST(LocalSlam, GoesOnWhereOdometryHangs) {
   const int last = kJumpScan + kNumScans - 1;
   const Pose2 truth = TrueMotion(simulation, kJumpScan, last);
   LocalSlamOptions options = SmallLoopOptions().trajectory_builder_2d;
+  options.max_changed_share_at_standstill = 1.0;
   options.second_prior_relative_score = 0.0;
   options.recovery.min_relative_score = 0.0;
   options.recovery.unmeasured_min_relative_score = 0.0;
@@ -151,25 +152,67 @@ TEST(LocalSlam, GoesOnWhereOdometryHangs) {
               Not(PoseNear(truth, 0.5, DegreesToRadians(20.0))));
 }
 
+TEST(LocalSlam, UsesNoOdometryThatHangs) {
+  constexpr int kHangScan = 75;  // the robot turns
+  ScanLog log = FirstScans(kHangScan + 3).log;
+  log.scans[kHangScan].num_odometry_before = log.scans[kHangScan - 1].num_odometry_before;
+  LocalSlamOptions options = SmallLoopOptions().trajectory_builder_2d;
+  options.max_changed_share_at_standstill = 0.05;
+  const auto results = AddAllScans(log, options);
+  EXPECT_FALSE(results[kHangScan].odom_from_base);
+  EXPECT_TRUE(results[kHangScan + 1].odom_from_base);
+  options.max_changed_share_at_standstill = 1.0;
+  EXPECT_TRUE(AddAllScans(log, options)[kHangScan].odom_from_base);
+}
+
+TEST(LocalSlam, TakesTheMotionSinceOdometryHungForUnmeasured) {
+  constexpr int kHangScan = 75;
+  ScanLog log = FirstScans(kHangScan + 3).log;
+  log.scans[kHangScan].num_odometry_before = log.scans[kHangScan - 1].num_odometry_before;
+  LocalSlamOptions options = SmallLoopOptions().trajectory_builder_2d;
+  options.max_changed_share_at_standstill = 0.05;
+  options.use_online_correlative_scan_matching = false;
+  options.ceres_scan_matcher.translation_weight = 1e6;  // nothing that was measured moves
+  options.unmeasured_prior_scale = 1e6;
+  const auto results = AddAllScans(log, options);
+  const auto moved = [&](int scan) {
+    return (results[scan].local_from_base.translation -
+            results[scan].local_from_base_prior.translation)
+        .norm();
+  };
+  EXPECT_LT(moved(kHangScan - 1), 1e-5);
+  EXPECT_GT(moved(kHangScan), 1e-3);
+  EXPECT_GT(moved(kHangScan + 1), 1e-3);
+  EXPECT_LT(moved(kHangScan + 2), 1e-5);
+}
+
 /// The motion from before an odometry jump of 85 deg until 20 scans after it, without recovery.
 Pose2 MotionOverJumpWithoutRecovery(const Simulation& simulation,
-                                    double second_prior_relative_score) {
+                                    double second_prior_relative_score,
+                                    double unusual_motion_min_score_ratio) {
   ScanLog log = simulation.log;
   JumpOdometry(kJumpScan, DegreesToRadians(85.0), &log);
   LocalSlamOptions options = SmallLoopOptions().trajectory_builder_2d;
   options.recovery.min_relative_score = 0.0;
   options.second_prior_relative_score = second_prior_relative_score;
+  options.unusual_motion_min_score_ratio = unusual_motion_min_score_ratio;
   return Motion(AddAllScans(log, options), kJumpScan - 1, kJumpScan + 19);
 }
 
 TEST(LocalSlam, IsLostAfterAnOdometryJumpOf85DegreesIfItOnlyBelievesOdometry) {
   const Simulation simulation = FirstScans(kJumpScan + 20);
   const Pose2 truth = TrueMotion(simulation, kJumpScan - 1, kJumpScan + 19);
-  EXPECT_THAT(MotionOverJumpWithoutRecovery(simulation, 0.0),
+  EXPECT_THAT(MotionOverJumpWithoutRecovery(simulation, 0.0, 0.0),
               Not(PoseNear(truth, 0.5, DegreesToRadians(45.0))));
-  EXPECT_THAT(MotionOverJumpWithoutRecovery(simulation, 0.8),
+  EXPECT_THAT(MotionOverJumpWithoutRecovery(simulation, 0.8, 0.0),
               PoseNear(truth, 0.1, DegreesToRadians(2.0)))
       << "the velocity knows better";
+  EXPECT_THAT(MotionOverJumpWithoutRecovery(simulation, 0.0, 1.2),
+              PoseNear(truth, 0.1, DegreesToRadians(2.0)))
+      << "it never turned like that";
+  EXPECT_THAT(MotionOverJumpWithoutRecovery(simulation, 0.0, 10.0),
+              Not(PoseNear(truth, 0.5, DegreesToRadians(45.0))))
+      << "it does not match ten times as well elsewhere";
 }
 
 constexpr int kNumScansInCrowd = 4;

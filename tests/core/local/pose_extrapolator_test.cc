@@ -119,6 +119,28 @@ TEST(PoseExtrapolator, StaysAfterTwoPosesOfTheSameTime) {
   EXPECT_EQ(extrapolator.Predict(12.0, kNoOdometry), kStart);
 }
 
+TEST(PoseExtrapolator, HasOdometryIfTheLastPoseHad) {
+  PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);
+  EXPECT_FALSE(extrapolator.HasOdometry());
+  extrapolator.AddPose(10.0, kStart, Pose2(-4.0, 1.0, 2.5), true);
+  EXPECT_TRUE(extrapolator.HasOdometry());
+  extrapolator.AddPose(11.0, kStart, kNoOdometry, true);
+  EXPECT_FALSE(extrapolator.HasOdometry());
+}
+
+TEST(PoseExtrapolator, TellsMotionsThatOdometryHardlyEverMeasures) {
+  PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);
+  const Pose2 jump(0.0, 0.0, 0.5);
+  EXPECT_FALSE(extrapolator.IsUnusual(jump)) << "it begins somewhere";
+  extrapolator.AddPose(10.0, kStart, Pose2(), true);
+  EXPECT_TRUE(extrapolator.IsUnusual(jump));
+  EXPECT_FALSE(extrapolator.IsUnusual(Pose2(1.0, 0.0, 0.0)));
+  extrapolator.AddPose(11.0, kStart, jump, true);
+  EXPECT_FALSE(extrapolator.IsUnusual(jump * jump)) << "now it has";
+  extrapolator.AddPose(12.0, kStart, kNoOdometry, true);
+  EXPECT_FALSE(extrapolator.IsUnusual(Pose2())) << "nothing was measured before";
+}
+
 TEST(PoseExtrapolator, TellsThatOdometryStandsStillIfItSaysTheSameAsBefore) {
   const Pose2 odom_from_base(-4.0, 1.0, 2.5);
   PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);

@@ -60,8 +60,8 @@ TEST_F(ScanMatching, BelievesTheVelocityWhereItMatchesAndOdometryDoesNot) {
   const Pose2 by_velocity = kTruth * Pose2(0.03, 0.02, 0.01);
   const double good_score = Match(by_velocity, 0.0).score;
   const auto match = [&](const Pose2& second_prior, double expected_score) {
-    return MatchScan(points_, room_.grid(), {kWrongPrior, true, false, second_prior},
-                     expected_score, options_);
+    return MatchScan(points_, room_.grid(), {kWrongPrior, true, second_prior}, expected_score,
+                     options_);
   };
   EXPECT_THAT(match(by_velocity, good_score).submap_from_base, PoseNear(kTruth, 0.02, 0.01));
   EXPECT_EQ(match(by_velocity, good_score).start, MatchStart::kVelocity);
@@ -76,40 +76,38 @@ TEST_F(ScanMatching, BelievesTheVelocityWhereItMatchesAndOdometryDoesNot) {
   EXPECT_THAT(match(by_velocity, good_score).submap_from_base, Not(PoseNear(kTruth, 0.2, 0.2)));
 }
 
-TEST_F(ScanMatching, BelievesTheVelocityWhereOdometryHangs) {
-  options_.use_online_correlative_scan_matching = true;
-  const Pose2 prior = kTruth * Pose2(0.2, 0.0, 0.0);
-  const Pose2 by_velocity = kTruth * Pose2(0.03, 0.02, 0.01);
-  const auto match = [&](bool stands_still, const Pose2& velocity_prior) {
-    return MatchScan(points_, room_.grid(), {prior, true, stands_still, velocity_prior}, 0.0,
-                     options_);
-  };
-  options_.standstill_min_score_ratio = 1.02;
-  EXPECT_EQ(match(true, by_velocity).start, MatchStart::kVelocity);
-  EXPECT_THAT(match(true, by_velocity).submap_from_base, PoseNear(kTruth, 0.02, 0.01));
-  EXPECT_EQ(match(false, by_velocity).start, MatchStart::kPrior) << "odometry measured a motion";
-  EXPECT_EQ(match(true, prior).start, MatchStart::kPrior) << "it matches no better";
-  options_.standstill_min_score_ratio = 0.0;
-  EXPECT_EQ(match(true, by_velocity).start, MatchStart::kPrior);
-}
-
 TEST_F(ScanMatching, SearchesSoonerWhereNobodyMeasuredTheMotion) {
   options_.recovery.min_relative_score = 0.2;
-  options_.standstill_min_score_ratio = 1.02;
   const double near_score = Match(kWrongPrior, 0.0).score;
   const double expected_score = near_score / 0.7;
-  const auto start = [&](bool measured, bool stands_still) {
-    const MatchPrior prior{kWrongPrior, measured, stands_still, {}};
-    return MatchScan(points_, room_.grid(), prior, expected_score, options_).start;
+  const auto start = [&](bool measured) {
+    return Match(kWrongPrior, expected_score, measured).start;
   };
   options_.recovery.unmeasured_min_relative_score = 0.9;
-  EXPECT_EQ(start(false, false), MatchStart::kRecovery);
-  EXPECT_EQ(start(true, true), MatchStart::kRecovery) << "odometry may hang";
-  EXPECT_EQ(start(true, false), MatchStart::kPrior);
+  EXPECT_EQ(start(false), MatchStart::kRecovery);
+  EXPECT_EQ(start(true), MatchStart::kPrior);
   options_.recovery.min_gain = 0.85;
-  EXPECT_EQ(start(false, false), MatchStart::kRecovery) << "any gain is enough";
+  EXPECT_EQ(start(false), MatchStart::kRecovery) << "any gain is enough";
   options_.recovery.unmeasured_min_relative_score = 0.6;
-  EXPECT_EQ(start(false, false), MatchStart::kPrior);
+  EXPECT_EQ(start(false), MatchStart::kPrior);
+}
+
+TEST_F(ScanMatching, GoesFarFromAPriorThatNobodyMeasuredForWhatMatchesMuchBetterOnly) {
+  options_.recovery.min_relative_score = 0.2;
+  options_.recovery.unmeasured_min_relative_score = 0.9;
+  const double near_score = Match(kWrongPrior, 0.0).score;
+  const double expected_score = near_score / 0.7;
+  const double ratio = Match(kTruth, 0.0).score / near_score;
+  const auto start = [&] { return Match(kWrongPrior, expected_score).start; };
+  options_.recovery.unmeasured_angular_search_window = DegreesToRadians(1.0);
+  options_.recovery.unmeasured_linear_search_window = 0.1;
+  options_.recovery.unmeasured_min_score_ratio = 0.7 * ratio;
+  EXPECT_EQ(start(), MatchStart::kRecovery);
+  options_.recovery.unmeasured_min_score_ratio = 1.3 * ratio;
+  EXPECT_THAT(Match(kWrongPrior, expected_score).submap_from_base, Not(PoseNear(kTruth, 0.2, 0.2)));
+  options_.recovery.unmeasured_angular_search_window = DegreesToRadians(90.0);
+  options_.recovery.unmeasured_linear_search_window = 1.0;
+  EXPECT_EQ(start(), MatchStart::kRecovery) << "it is not far";
 }
 
 TEST_F(ScanMatching, SearchesWidelyForAScanThatMatchesWorseThanExpected) {

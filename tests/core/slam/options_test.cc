@@ -83,6 +83,8 @@ const std::map<std::string, OptionValue> kOwn = {
     {"use_odometry", true},
     {"TRAJECTORY_BUILDER_2D.recovery.min_relative_score", 0.0},
     {"TRAJECTORY_BUILDER_2D.standstill_min_score_ratio", 0.0},
+    {"TRAJECTORY_BUILDER_2D.unusual_motion_min_score_ratio", 0.0},
+    {"TRAJECTORY_BUILDER_2D.max_changed_share_at_standstill", 1.0},
     {"TRAJECTORY_BUILDER_2D.recovery.unmeasured_min_relative_score", 0.0},
     {"TRAJECTORY_BUILDER_2D.recovery.max_num_scans_ahead", 0.0},
     {"TRAJECTORY_BUILDER_2D.min_num_matched_points", 0.0},
