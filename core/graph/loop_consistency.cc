@@ -45,6 +45,12 @@ int NumSupporters(const LoopDrift& loop, const std::vector<LoopDrift>& others,
   return num_supporters;
 }
 
+int MinNumSupporters(const LoopCandidate& loop, const LoopConsistencyOptions& options) {
+  const bool is_good =
+      options.good_score_ratio > 0.0 && loop.score >= options.good_score_ratio * loop.min_score;
+  return is_good ? std::max(options.min_num_supporters - 1, 0) : options.min_num_supporters;
+}
+
 std::vector<NodeId> NeighborsToCheck(NodeId node, const std::vector<NodeId>& left_out,
                                      const std::vector<double>& node_ways,
                                      const LoopConsistencyOptions& options) {

@@ -8,6 +8,7 @@
 
 #include "core/geometry/id.h"
 #include "core/geometry/pose2.h"
+#include "core/graph/loop_candidate.h"
 
 namespace loopscope {
 
@@ -16,7 +17,9 @@ namespace loopscope {
 /// the frame of local SLAM, which hardly drifts over the short ways between the loops compared.
 struct LoopConsistencyOptions {
   int min_num_supporters = 0;  ///< loops of other nodes that must agree; 0: off
-  double min_way = 0.0;        ///< [m] loops of nodes nearer to each other count as one
+  /// One fewer is enough for a loop that scores so many times as much as it must; 0: for none.
+  double good_score_ratio = 0.0;
+  double min_way = 0.0;  ///< [m] loops of nodes nearer to each other count as one
   /// Of the nodes near that of a loop without support, so many that sampling left out are searched
   /// where that loop has them.
   int num_checked_neighbors = 0;
@@ -56,6 +59,9 @@ class LoopDrifts {
 /// from its node and from each other.
 int NumSupporters(const LoopDrift& loop, const std::vector<LoopDrift>& others,
                   const LoopConsistencyOptions& options);
+
+/// How many supporters a loop needs, by its score.
+int MinNumSupporters(const LoopCandidate& loop, const LoopConsistencyOptions& options);
 
 /// Loops that were found, and what sampling left out: of `left_out` (nodes that came up for the
 /// same submap) those to search to check the loop of `node`, at most num_checked_neighbors, next to

@@ -331,7 +331,8 @@ void PoseGraph::RejectInconsistent(std::vector<LoopCandidate>* candidates) const
   for (LoopCandidate& candidate : *candidates) {
     if (candidate.verdict != Verdict::kAccepted) continue;
     candidate.num_supporters = NumSupportersOf(candidate, drifts);
-    if (candidate.num_supporters < options.min_num_supporters && !MapAgreesWith(candidate)) {
+    if (candidate.num_supporters < MinNumSupporters(candidate, options) &&
+        !MapAgreesWith(candidate)) {
       candidate.verdict = Verdict::kInconsistent;
     }
   }

@@ -116,7 +116,7 @@ LoopCheck WallSidesCheck(const Recording& recording, const LoopCandidate& candid
 
 LoopCheck ConsistencyCheck(const LoopCandidate& candidate, const LoopConsistencyOptions& options) {
   return {"other nodes with loops that agree", std::to_string(candidate.num_supporters),
-          fmt::format("at least {}{}", options.min_num_supporters,
+          fmt::format("at least {}{}", MinNumSupporters(candidate, options),
                       candidate.last_look ? ", or the optimized map" : ""),
           candidate.verdict != Verdict::kInconsistent};
 }

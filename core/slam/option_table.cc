@@ -196,6 +196,8 @@ Rows LoopConsistencyRows(LoopConsistencyOptions* o) {
   return {
       {"min_num_supporters", &o->min_num_supporters, 0, kMaxCount, "",
        "A loop needs loops of so many other nodes that agree with it; 0: none."},
+      {"good_score_ratio", &o->good_score_ratio, 0, 10, "",
+       "One fewer is enough for a loop that scores so many times as much as it must; 0: for none."},
       {"max_way", &o->max_way, 0, 1e6, "m",
        "Loops are compared over ways of local SLAM no longer than this."},
       {"max_distance", &o->max_distance, 0, kMaxLength, "m", "Loops that agree differ by no more."},

@@ -65,6 +65,7 @@ Options LoopscopePreset() {
   loops.ambiguity.max_relative_score = 0.9;
   loops.ambiguity.refuse_at_border = true;
   loops.consistency.min_num_supporters = 2;
+  loops.consistency.good_score_ratio = 1.5;
   graph.optimization_problem.huber_scale = 1e2;
   graph.optimization_problem.local_slam_pose_translation_weight = 1e4;
   graph.optimization_problem.local_slam_pose_rotation_weight = 1e4;

@@ -37,6 +37,21 @@ TEST(Agree, ComparesWhereTheDriftsLeadTheNode) {
   EXPECT_FALSE(Agree(loop, Loop(8, AndThen(kDrift, Pose2(0.0, 0.21, 0.0))), Options()));
 }
 
+TEST(MinNumSupporters, IsOneFewerForAGoodScore) {
+  LoopConsistencyOptions options = Options();
+  LoopCandidate loop;
+  loop.min_score = 0.3;
+  loop.score = 0.46;
+  EXPECT_EQ(MinNumSupporters(loop, options), 2) << "no score is good";
+  options.good_score_ratio = 1.5;
+  EXPECT_EQ(MinNumSupporters(loop, options), 1);
+  loop.score = 0.44;
+  EXPECT_EQ(MinNumSupporters(loop, options), 2);
+  options.min_num_supporters = 0;
+  loop.score = 0.9;
+  EXPECT_EQ(MinNumSupporters(loop, options), 0);
+}
+
 TEST(Agree, ComparesTurns) {
   const LoopDrift loop = Loop(7, kDrift);
   EXPECT_TRUE(Agree(loop, Loop(8, AndThen(kDrift, Pose2(0.0, 0.0, 0.029))), Options()));

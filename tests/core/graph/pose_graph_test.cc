@@ -285,6 +285,15 @@ TEST(PoseGraph, BelievesNoLoopThatStandsAlone) {
   EXPECT_GT(alone.score, alone.min_score);
 }
 
+TEST(PoseGraph, BelievesALoopThatStandsAloneIfItsScoreIsGood) {
+  PoseGraphOptions options = Options();
+  options.constraint_builder.consistency.min_num_supporters = 1;
+  options.constraint_builder.consistency.good_score_ratio = 1.1;
+  ReturnToARoom run(options);
+  run.ComeTo(kFirst);
+  EXPECT_EQ(run.graph().CollectLoops(kStep).at(0).verdict, Verdict::kAccepted);
+}
+
 TEST(PoseGraph, BelievesLoopsThatAgree) {
   PoseGraphOptions options = Options();
   options.constraint_builder.consistency.min_num_supporters = 1;

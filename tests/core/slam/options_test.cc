@@ -96,6 +96,7 @@ const std::map<std::string, OptionValue> kOwn = {
     {"POSE_GRAPH.constraint_builder.measured_drift.min_window_share", 1.0},
     {"POSE_GRAPH.constraint_builder.ambiguity.max_relative_score", 1.0},
     {"POSE_GRAPH.constraint_builder.consistency.min_num_supporters", 0.0},
+    {"POSE_GRAPH.constraint_builder.consistency.good_score_ratio", 0.0},
     {"POSE_GRAPH.constraint_builder.consistency.num_checked_neighbors", 0.0},
 };
 
