@@ -23,24 +23,25 @@ constexpr int kNumSubmapsThatYield = 20;
 
 PoseGraph::PoseGraph(const PoseGraphOptions& options, int num_threads)
     : options_(options),
+      loop_judge_(options.constraint_builder.consistency, options.optimization_problem.outliers),
       second_look_(options.constraint_builder.second_look),
       loop_search_(options.constraint_builder, num_threads) {}
 
 void PoseGraph::AddSubmap(const Pose2& local_from_submap) {
-  submaps_.push_back(
-      {local_from_submap, NodeId{static_cast<int>(nodes_.size())}, 0, {}, 0.0, 0.0, {}});
-  global_from_submap_.push_back(global_from_local_ * local_from_submap);
+  graph_.submaps.push_back(
+      {local_from_submap, NodeId{static_cast<int>(graph_.nodes.size())}, 0, {}, 0.0, 0.0, {}});
+  graph_.global_from_submap.push_back(global_from_local_ * local_from_submap);
 }
 
-void PoseGraph::AddNode(const NodeData& node, int step) {
-  const NodeId id{static_cast<int>(nodes_.size())};
-  nodes_.push_back(node);
-  global_from_node_.push_back(global_from_local_ * node.local_from_node);
-  node_places_.Add(id.index, global_from_node_.back().translation);
+void PoseGraph::AddNode(const GraphNode& node, int step) {
+  const NodeId id{static_cast<int>(graph_.nodes.size())};
+  graph_.nodes.push_back(node);
+  graph_.global_from_node.push_back(global_from_local_ * node.local_from_node);
+  node_places_.Add(id.index, graph_.global_from_node.back().translation);
   AddWayTo(id);
   for (int i = 0; i < node.num_submaps; ++i) {
     const SubmapId submap{node.first_submap.index + i};
-    SubmapData& data = submaps_[submap.index];
+    GraphSubmap& data = graph_.submaps[submap.index];
     const Pose2 submap_from_node = data.local_from_submap.Inverse() * node.local_from_node;
     data.node_box.extend(submap_from_node.translation);
     ++data.num_nodes;
@@ -53,8 +54,8 @@ void PoseGraph::AddNode(const NodeData& node, int step) {
 }
 
 void PoseGraph::ConsiderNearSubmaps(NodeId node, int step) {
-  const Eigen::Vector2d& place = global_from_node_[node.index].translation;
-  const std::vector<double>& ways = travel_graph_.WaysFrom(nodes_[node.index].first_submap);
+  const Eigen::Vector2d& place = graph_.global_from_node[node.index].translation;
+  const std::vector<double>& ways = travel_graph_.WaysFrom(graph_.node(node).first_submap);
   for (const int submap : finished_places_.Near(place, max_submap_radius_ + LoopReach())) {
     Consider(SubmapId{submap}, node, ways[submap], step);
   }
@@ -63,31 +64,31 @@ void PoseGraph::ConsiderNearSubmaps(NodeId node, int step) {
 void PoseGraph::ConsiderNearNodes(SubmapId submap, int step) {
   const std::vector<double>& ways = travel_graph_.WaysFrom(submap);
   for (const int node : node_places_.Near(CenterOf(submap), RadiusOf(submap) + LoopReach())) {
-    Consider(submap, NodeId{node}, ways[nodes_[node].first_submap.index], step);
+    Consider(submap, NodeId{node}, ways[graph_.nodes[node].first_submap.index], step);
   }
 }
 
 double PoseGraph::LoopReach() const { return MaxGateDistance(options_.constraint_builder); }
 
 Eigen::Vector2d PoseGraph::CenterOf(SubmapId submap) const {
-  return global_from_submap_[submap.index] * submaps_[submap.index].node_box.center();
+  return graph_.global_from_submap[submap.index] * graph_.submap(submap).node_box.center();
 }
 
 double PoseGraph::RadiusOf(SubmapId submap) const {
-  return 0.5 * submaps_[submap.index].node_box.diagonal().norm();
+  return 0.5 * graph_.submap(submap).node_box.diagonal().norm();
 }
 
 void PoseGraph::AddWayTo(NodeId id) {
   const double gap = id.index == 0 ? 0.0
-                                   : (nodes_[id.index].local_from_node.translation -
-                                      nodes_[id.index - 1].local_from_node.translation)
+                                   : (graph_.node(id).local_from_node.translation -
+                                      graph_.nodes[id.index - 1].local_from_node.translation)
                                          .norm();
-  node_ways_.push_back(id.index == 0 ? 0.0 : node_ways_.back() + gap);
+  graph_.node_ways.push_back(id.index == 0 ? 0.0 : graph_.node_ways.back() + gap);
   counted_way_ += CountedWay(gap, options_.constraint_builder);
-  if (submaps_.back().first_node != id) return;
-  submaps_.back().counted_way = counted_way_;
-  const std::size_t num_submaps = submaps_.size();
-  const double way_before = num_submaps < 2 ? 0.0 : submaps_[num_submaps - 2].counted_way;
+  if (graph_.submaps.back().first_node != id) return;
+  graph_.submaps.back().counted_way = counted_way_;
+  const std::size_t num_submaps = graph_.submaps.size();
+  const double way_before = num_submaps < 2 ? 0.0 : graph_.submaps[num_submaps - 2].counted_way;
   travel_graph_.AddSubmap(counted_way_ - way_before);
 }
 
@@ -95,7 +96,7 @@ void PoseGraph::AddConsecutive(NodeId id) {
   if (id.index == 0) return;
   const NodeId before{id.index - 1};
   const auto measured = [&](NodeId node) {
-    const NodeData& data = nodes_[node.index];
+    const GraphNode& data = graph_.node(node);
     return MeasuredNode{node, data.local_from_node, data.odom_from_node};
   };
   for (const ConsecutiveNodes& term :
@@ -105,8 +106,8 @@ void PoseGraph::AddConsecutive(NodeId id) {
 }
 
 void PoseGraph::FinishSubmap(SubmapId id, const ProbabilityGrid& grid, int step) {
-  submaps_[id.index].min_loop_score = MinLoopScoreOf(id, grid);
-  submaps_[id.index].seen.emplace(grid);
+  graph_.submaps[id.index].min_loop_score = MinLoopScoreOf(id, grid);
+  graph_.submaps[id.index].seen.emplace(grid);
   loop_search_.AddSubmap(id, grid);
   finished_submaps_.push_back(id);
   finished_places_.Add(id.index, CenterOf(id));
@@ -115,28 +116,29 @@ void PoseGraph::FinishSubmap(SubmapId id, const ProbabilityGrid& grid, int step)
 }
 
 double PoseGraph::MinLoopScoreOf(SubmapId id, const ProbabilityGrid& grid) const {
-  const SubmapData& submap = submaps_[id.index];
+  const GraphSubmap& submap = graph_.submap(id);
   const Pose2 submap_from_local = submap.local_from_submap.Inverse();
   std::vector<PlacedScan> own_nodes;
   for (int i = 0; i < submap.num_nodes; ++i) {
-    const NodeData& node = nodes_[submap.first_node.index + i];
+    const GraphNode& node = graph_.nodes[submap.first_node.index + i];
     own_nodes.push_back({&node.scan->returns, submap_from_local * node.local_from_node});
   }
   return MinLoopScore(own_nodes, grid, options_.constraint_builder);
 }
 
-bool PoseGraph::LiesIn(const NodeData& node, SubmapId submap) {
+bool PoseGraph::LiesIn(const GraphNode& node, SubmapId submap) {
   return node.first_submap.index <= submap.index &&
          submap.index < node.first_submap.index + node.num_submaps;
 }
 
 void PoseGraph::Consider(SubmapId submap, NodeId node, double way, int step) {
-  const NodeData& data = nodes_[node.index];
+  const GraphNode& data = graph_.node(node);
   if (!SearchesLoops() || data.scan->returns.empty() || LiesIn(data, submap)) return;
   const LoopCandidate candidate = CandidateOf(submap, node, way, step);
   if (candidate.verdict == Verdict::kTooFar) return;
   const LoopCandidate narrowed = WithDriftShare(candidate, drift_share_);
-  const double gap = node.index == 0 ? 0.0 : node_ways_[node.index] - node_ways_[node.index - 1];
+  const double gap =
+      node.index == 0 ? 0.0 : graph_.node_ways[node.index] - graph_.node_ways[node.index - 1];
   loop_search_.Consider(
       narrowed, data.scan,
       SamplingShare(narrowed.linear_search_window, gap, options_.constraint_builder));
@@ -144,8 +146,7 @@ void PoseGraph::Consider(SubmapId submap, NodeId node, double way, int step) {
 
 LoopCandidate PoseGraph::CandidateOf(SubmapId submap, NodeId node, double way, int step) const {
   LoopCandidate candidate;
-  candidate.submap_from_node_guess =
-      global_from_submap_[submap.index].Inverse() * global_from_node_[node.index];
+  candidate.submap_from_node_guess = graph_.SubmapFromNode(submap, node);
   const LoopGate gate = GateOf(submap, candidate.submap_from_node_guess, way);
   candidate.verdict = gate.is_near ? Verdict::kNotSampled : Verdict::kTooFar;
   candidate.submap = submap;
@@ -153,17 +154,17 @@ LoopCandidate PoseGraph::CandidateOf(SubmapId submap, NodeId node, double way, i
   candidate.considered_step = step;
   candidate.linear_search_window = gate.linear_window;
   candidate.angular_search_window = gate.angular_window;
-  candidate.min_score = submaps_[submap.index].min_loop_score;
+  candidate.min_score = graph_.submap(submap).min_loop_score;
   return candidate;
 }
 
 LoopGate PoseGraph::GateOf(SubmapId submap, const Pose2& submap_from_node_guess, double way) const {
-  return EvaluateLoopGate(submap_from_node_guess, submaps_[submap.index].node_box, way,
+  return EvaluateLoopGate(submap_from_node_guess, graph_.submap(submap).node_box, way,
                           options_.constraint_builder);
 }
 
 bool PoseGraph::OptimizationIsDue() const {
-  const double share = options_.optimize_every_share * static_cast<double>(nodes_.size());
+  const double share = options_.optimize_every_share * static_cast<double>(graph_.nodes.size());
   const double min_num_new = std::min<double>(share, options_.optimize_at_latest_after_n_nodes);
   return SearchesLoops() && num_nodes_since_optimization_ >= options_.optimize_every_n_nodes &&
          num_nodes_since_optimization_ >= min_num_new;
@@ -178,14 +179,14 @@ std::vector<LoopCandidate> PoseGraph::CollectLoops(int step) {
 }
 
 void PoseGraph::TakeIn(std::vector<LoopCandidate>* candidates, int step) {
-  RejectInconsistent(candidates);
+  loop_judge_.RejectInconsistent(graph_, candidates);
   MeasureDrift(*candidates);
   for (LoopCandidate& candidate : *candidates) {
     candidate.applied_step = step;
     if (candidate.verdict != Verdict::kAccepted) continue;
-    loop_drifts_.Add(DriftOf(candidate));
+    loop_judge_.Believe(graph_, candidate);
     constraints_.push_back(ToConstraint(candidate, options_.constraint_builder));
-    const NodeData& node = nodes_[candidate.node.index];
+    const GraphNode& node = graph_.node(candidate.node);
     travel_graph_.AddLoop(candidate.submap, node.first_submap);
     for (int i = 0; i < node.num_submaps; ++i) {
       second_look_.Tie(candidate.submap, SubmapId{node.first_submap.index + i});
@@ -196,9 +197,8 @@ void PoseGraph::TakeIn(std::vector<LoopCandidate>* candidates, int step) {
 void PoseGraph::MeasureDrift(const std::vector<LoopCandidate>& candidates) {
   for (const LoopCandidate& loop : candidates) {
     if (loop.verdict != Verdict::kAccepted) continue;
-    const Pose2 guess =
-        global_from_submap_[loop.submap.index].Inverse() * global_from_node_[loop.node.index];
-    const SubmapId node_submap = nodes_[loop.node.index].first_submap;
+    const Pose2 guess = graph_.SubmapFromNode(loop.submap, loop.node);
+    const SubmapId node_submap = graph_.node(loop.node).first_submap;
     const double way = travel_graph_.WaysFrom(loop.submap)[node_submap.index];
     drift_shares_.push_back(
         DriftShareOf(guess, loop.submap_from_node, GateOf(loop.submap, guess, way)));
@@ -211,8 +211,9 @@ DriftShare PoseGraph::PredictedDriftShare() const {
   for (const Constraint& c : constraints_) {
     if (c.tag != Constraint::Tag::kInterSubmap) continue;
     const DriftShare& share = drift_shares_[num_loops++];
-    const Eigen::Vector3d residual = SpaError(
-        c.submap_from_node, global_from_submap_[c.submap.index], global_from_node_[c.node.index]);
+    const Eigen::Vector3d residual =
+        SpaError(c.submap_from_node, graph_.global_from_submap[c.submap.index],
+                 graph_.global_from_node[c.node.index]);
     if (!IsOutlier(residual, options_.optimization_problem.outliers)) shares.push_back(share);
   }
   return PredictDriftShare(shares, options_.constraint_builder.measured_drift);
@@ -225,8 +226,9 @@ void PoseGraph::LookAgain(int step) {
     places.push_back(PlaceOf(finished_submaps_[i]));
   }
   std::map<SubmapId, std::vector<double>> ways;
-  for (const auto& [submap, node] : second_look_.Choose(places, global_from_node_, node_ways_)) {
-    const NodeData& data = nodes_[node.index];
+  for (const auto& [submap, node] :
+       second_look_.Choose(places, graph_.global_from_node, graph_.node_ways)) {
+    const GraphNode& data = graph_.node(node);
     if (data.scan->returns.empty()) continue;
     std::vector<double>& ways_from_submap = ways[submap];
     if (ways_from_submap.empty()) ways_from_submap = travel_graph_.WaysFrom(submap);
@@ -243,12 +245,12 @@ std::vector<LoopCandidate> PoseGraph::LookLast(int step) {
   const LastLookOptions& options = options_.constraint_builder.last_look;
   if (!SearchesLoops()) return {};
   std::vector<SubmapPlace> places;
-  for (SubmapId id{0}; id.index < static_cast<int>(submaps_.size()); ++id.index) {
+  for (SubmapId id{0}; id.index < static_cast<int>(graph_.submaps.size()); ++id.index) {
     places.push_back(PlaceOf(id));
   }
-  for (const auto& [submap, node] :
-       second_look_.ChooseOfUntied(places, global_from_node_, node_ways_, options.num_nodes)) {
-    const NodeData& data = nodes_[node.index];
+  for (const auto& [submap, node] : second_look_.ChooseOfUntied(
+           places, graph_.global_from_node, graph_.node_ways, options.num_nodes)) {
+    const GraphNode& data = graph_.node(node);
     if (data.scan->returns.empty()) continue;
     LoopCandidate candidate = CandidateOf(submap, node, 0.0, step);  // no drift: the least window
     candidate.last_look = true;
@@ -260,51 +262,28 @@ std::vector<LoopCandidate> PoseGraph::LookLast(int step) {
 }
 
 SubmapPlace PoseGraph::PlaceOf(SubmapId id) const {
-  const SubmapData& data = submaps_[id.index];
+  const GraphSubmap& data = graph_.submaps[id.index];
   return {id,
-          global_from_submap_[id.index],
+          graph_.global_from_submap[id.index],
           data.node_box,
           data.first_node,
           data.num_nodes,
           data.seen ? &*data.seen : nullptr};
 }
 
-LoopDrifts PoseGraph::DriftsOf(const std::vector<LoopCandidate>& candidates) const {
-  LoopDrifts drifts;
-  for (const LoopCandidate& candidate : candidates) {
-    if (candidate.verdict == Verdict::kAccepted) drifts.Add(DriftOf(candidate));
-  }
-  return drifts;
-}
-
-int PoseGraph::NumSupportersOf(const LoopCandidate& loop, const LoopDrifts& found) const {
-  const LoopConsistencyOptions& options = options_.constraint_builder.consistency;
-  const LoopDrift drift = DriftOf(loop);
-  std::vector<LoopDrift> near;
-  loop_drifts_.AddNear(drift, options.max_way, &near);
-  found.AddNear(drift, options.max_way, &near);
-  return NumSupporters(drift, near, options);
-}
-
 void PoseGraph::CheckLoneLoops(std::vector<LoopCandidate>* candidates) {
   const LoopConsistencyOptions& options = options_.constraint_builder.consistency;
   if (options.num_checked_neighbors == 0) return;
-  const LoopDrifts drifts = DriftsOf(*candidates);
-  std::vector<const LoopCandidate*> lone_loops;
   std::map<SubmapId, std::map<NodeId, LoopCandidate*>> left_out;
   for (LoopCandidate& candidate : *candidates) {
-    if (candidate.verdict == Verdict::kNotSampled) {
-      left_out[candidate.submap].emplace(candidate.node, &candidate);
-    } else if (candidate.verdict == Verdict::kAccepted &&
-               NumSupportersOf(candidate, drifts) < options.min_num_supporters) {
-      lone_loops.push_back(&candidate);
-    }
+    if (candidate.verdict != Verdict::kNotSampled) continue;
+    left_out[candidate.submap].emplace(candidate.node, &candidate);
   }
-  for (const LoopCandidate* loop : lone_loops) {
+  for (const LoopCandidate* loop : loop_judge_.LoneLoops(graph_, *candidates)) {
     std::map<NodeId, LoopCandidate*>& pairs = left_out[loop->submap];
     std::vector<NodeId> nodes;
     for (const auto& [node, pair] : pairs) nodes.push_back(node);
-    for (const NodeId node : NeighborsToCheck(loop->node, nodes, node_ways_, options)) {
+    for (const NodeId node : NeighborsToCheck(loop->node, nodes, graph_.node_ways, options)) {
       SearchWhereLoopHasIt(*loop, pairs.at(node));
       pairs.erase(node);
     }
@@ -313,44 +292,15 @@ void PoseGraph::CheckLoneLoops(std::vector<LoopCandidate>* candidates) {
 }
 
 void PoseGraph::SearchWhereLoopHasIt(const LoopCandidate& loop, LoopCandidate* pair) {
-  const NodeData& node = nodes_[pair->node.index];
+  const GraphNode& node = graph_.node(pair->node);
   const BranchAndBoundOptions& least = options_.constraint_builder.fast_correlative_scan_matcher;
   pair->submap_from_node_guess = loop.submap_from_node *
-                                 nodes_[loop.node.index].local_from_node.Inverse() *
+                                 graph_.node(loop.node).local_from_node.Inverse() *
                                  node.local_from_node;
   pair->linear_search_window = least.linear_search_window;
   pair->angular_search_window = least.angular_search_window;
-  pair->min_score = submaps_[loop.submap.index].min_loop_score;
+  pair->min_score = graph_.submap(loop.submap).min_loop_score;
   loop_search_.Search(pair, node.scan);
-}
-
-void PoseGraph::RejectInconsistent(std::vector<LoopCandidate>* candidates) const {
-  const LoopConsistencyOptions& options = options_.constraint_builder.consistency;
-  if (options.min_num_supporters == 0) return;
-  const LoopDrifts drifts = DriftsOf(*candidates);
-  for (LoopCandidate& candidate : *candidates) {
-    if (candidate.verdict != Verdict::kAccepted) continue;
-    candidate.num_supporters = NumSupportersOf(candidate, drifts);
-    if (candidate.num_supporters < MinNumSupporters(candidate, options) &&
-        !MapAgreesWith(candidate)) {
-      candidate.verdict = Verdict::kInconsistent;
-    }
-  }
-}
-
-bool PoseGraph::MapAgreesWith(const LoopCandidate& found) const {
-  const Eigen::Vector3d residual =
-      SpaError(found.submap_from_node, global_from_submap_[found.submap.index],
-               global_from_node_[found.node.index]);
-  return found.last_look && !IsOutlier(residual, options_.optimization_problem.outliers);
-}
-
-LoopDrift PoseGraph::DriftOf(const LoopCandidate& candidate) const {
-  const NodeData& node = nodes_[candidate.node.index];
-  const SubmapData& submap = submaps_[candidate.submap.index];
-  return {candidate.node, node.local_from_node,
-          submap.local_from_submap * candidate.submap_from_node * node.local_from_node.Inverse(),
-          node_ways_[candidate.node.index], node_ways_[submap.first_node.index]};
 }
 
 GraphSolution PoseGraph::Optimize() {
@@ -373,36 +323,37 @@ GraphSolution PoseGraph::SolveFully(std::size_t num_judged) {
 }
 
 std::size_t PoseGraph::BeginJudging() {
-  if (loop_drifts_.size() < 2 * num_loops_when_all_were_judged_) return num_judged_;
-  num_loops_when_all_were_judged_ = loop_drifts_.size();
+  if (loop_judge_.num_believed() < 2 * num_loops_when_all_were_judged_) return num_judged_;
+  num_loops_when_all_were_judged_ = loop_judge_.num_believed();
   return 0;
 }
 
 void PoseGraph::HoldWhatIsOld(GraphProblem* problem) const {
   if (options_.min_num_held_nodes == 0) return;
-  int first_moving = static_cast<int>(submaps_.size()) - 1;
+  int first_moving = static_cast<int>(graph_.submaps.size()) - 1;
   for (std::size_t i = num_judged_; i < constraints_.size(); ++i) {
     const Constraint& c = constraints_[i];
-    const SubmapId node_submap = nodes_[c.node.index].first_submap;
+    const SubmapId node_submap = graph_.node(c.node).first_submap;
     first_moving = std::min({first_moving, c.submap.index, node_submap.index});
   }
   first_moving = std::max(first_moving - kNumSubmapsThatYield, 0);
-  const int num_held_nodes = submaps_[first_moving].first_node.index;
+  const int num_held_nodes = graph_.submaps[first_moving].first_node.index;
   if (num_held_nodes < options_.min_num_held_nodes) return;
   problem->num_held_submaps = first_moving;
   problem->num_held_nodes = num_held_nodes;
 }
 
 GraphProblem PoseGraph::Problem() const {
-  return {global_from_submap_, global_from_node_, constraints_, consecutive_nodes_};
+  return {graph_.global_from_submap, graph_.global_from_node, constraints_, consecutive_nodes_};
 }
 
 GraphSolution PoseGraph::Adopt(GraphSolution solution) {
   for (Pose2& pose : solution.global_from_submap) pose = Rounded(pose);
   for (Pose2& pose : solution.global_from_node) pose = Rounded(pose);
-  global_from_submap_ = solution.global_from_submap;
-  global_from_node_ = solution.global_from_node;
-  global_from_local_ = global_from_submap_.back() * submaps_.back().local_from_submap.Inverse();
+  graph_.global_from_submap = solution.global_from_submap;
+  graph_.global_from_node = solution.global_from_node;
+  global_from_local_ =
+      graph_.global_from_submap.back() * graph_.submaps.back().local_from_submap.Inverse();
   IndexPlaces();
   drift_share_ = PredictedDriftShare();
   num_nodes_since_optimization_ = 0;
@@ -414,8 +365,8 @@ void PoseGraph::IndexPlaces() {
   finished_places_.Clear();
   for (const SubmapId id : finished_submaps_) finished_places_.Add(id.index, CenterOf(id));
   node_places_.Clear();
-  for (int i = 0; i < static_cast<int>(nodes_.size()); ++i) {
-    node_places_.Add(i, global_from_node_[i].translation);
+  for (int i = 0; i < static_cast<int>(graph_.nodes.size()); ++i) {
+    node_places_.Add(i, graph_.global_from_node[i].translation);
   }
 }
 

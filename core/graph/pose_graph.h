@@ -10,6 +10,8 @@
 
 #include "core/graph/drift_share.h"
 #include "core/graph/graph_solver.h"
+#include "core/graph/graph_state.h"
+#include "core/graph/loop_judge.h"
 #include "core/graph/loop_search.h"
 #include "core/graph/place_index.h"
 #include "core/graph/travel_graph.h"
@@ -21,20 +23,12 @@ class PoseGraph {
  public:
   PoseGraph(const PoseGraphOptions& options, int num_threads);
 
-  struct NodeData {
-    Pose2 local_from_node;
-    std::optional<Pose2> odom_from_node;
-    SubmapId first_submap;  ///< it was inserted into num_submaps submaps from this one on
-    int num_submaps = 0;
-    std::shared_ptr<const RangeData> scan;  ///< for loop searches, in the frame of the node
-  };
-
   /// Adds the submap that the next node begins.
   void AddSubmap(const Pose2& local_from_submap);
 
   /// Adds a node with its INTRA_SUBMAP constraints, and considers it for loops with all finished
   /// submaps.
-  void AddNode(const NodeData& node, int step);
+  void AddNode(const GraphNode& node, int step);
 
   /// Considers the submap for loops with all nodes that do not lie in it.
   void FinishSubmap(SubmapId id, const ProbabilityGrid& grid, int step);
@@ -72,7 +66,7 @@ class PoseGraph {
   /// Local SLAM and odometry between the node and the one before it.
   void AddConsecutive(NodeId id);
   double MinLoopScoreOf(SubmapId id, const ProbabilityGrid& grid) const;
-  static bool LiesIn(const NodeData& node, SubmapId submap);
+  static bool LiesIn(const GraphNode& node, SubmapId submap);
   /// Searches submaps of the same place that no loop ties.
   void LookAgain(int step);
   SubmapPlace PlaceOf(SubmapId id) const;
@@ -93,20 +87,11 @@ class PoseGraph {
   /// Searches neighbours of the loops that stand alone, where those have them.
   void CheckLoneLoops(std::vector<LoopCandidate>* candidates);
   void SearchWhereLoopHasIt(const LoopCandidate& loop, LoopCandidate* pair);
-  /// Of those accepted so far.
-  LoopDrifts DriftsOf(const std::vector<LoopCandidate>& candidates) const;
-  /// Among the loops found now and those accepted before.
-  int NumSupportersOf(const LoopCandidate& loop, const LoopDrifts& found) const;
-  /// Turns the verdict on accepted candidates that too few others agree with. For those of a last
-  /// look it is enough that the optimized map does.
-  void RejectInconsistent(std::vector<LoopCandidate>* candidates) const;
-  bool MapAgreesWith(const LoopCandidate& found) const;
   /// Notes what drift the loops accepted took.
   void MeasureDrift(const std::vector<LoopCandidate>& candidates);
   /// Of the loops in force.
   DriftShare PredictedDriftShare() const;
   LoopGate GateOf(SubmapId submap, const Pose2& submap_from_node_guess, double way) const;
-  LoopDrift DriftOf(const LoopCandidate& candidate) const;
   void ConsiderNearSubmaps(NodeId node, int step);
   void ConsiderNearNodes(SubmapId submap, int step);
   /// [m] Beyond it from the nodes of a submap, no node comes up for a search in it.
@@ -122,29 +107,15 @@ class PoseGraph {
   LoopCandidate CandidateOf(SubmapId submap, NodeId node, double way, int step) const;
 
   PoseGraphOptions options_;
-  struct SubmapData {
-    Pose2 local_from_submap;
-    NodeId first_node;
-    int num_nodes = 0;
-    Eigen::AlignedBox2d node_box;  ///< around its nodes, in its frame
-    double min_loop_score = 0.0;   ///< once it is finished
-    double counted_way = 0.0;      ///< [m] to its first node, as CountedWay has it
-    std::optional<SeenArea> seen;  ///< once it is finished
-  };
-
-  std::vector<NodeData> nodes_;
-  std::vector<SubmapData> submaps_;
+  GraphState graph_;
   std::vector<SubmapId> finished_submaps_;
   std::size_t num_looked_at_ = 0;  ///< of finished_submaps_: those whose own pairs were collected
-  std::vector<double> node_ways_;  ///< [m] that the robot had gone at each node
   double counted_way_ = 0.0;       ///< [m] to the last node, as CountedWay has it
-  LoopDrifts loop_drifts_;         ///< of the loops that were accepted
-  std::vector<DriftShare> drift_shares_;  ///< likewise
+  LoopJudge loop_judge_;
+  std::vector<DriftShare> drift_shares_;  ///< of the loops that were accepted
   DriftShare drift_share_;                ///< to search in
   SecondLook second_look_;
   TravelGraph travel_graph_;
-  std::vector<Pose2> global_from_submap_;
-  std::vector<Pose2> global_from_node_;
   Pose2 global_from_local_;
   PlaceIndex node_places_;
   PlaceIndex finished_places_;      ///< of the centers of finished submaps
