@@ -217,26 +217,6 @@ TEST(PoseGraph, AsksLessOfALastLookFromTheEdgeOfWhatASubmapKnows) {
   EXPECT_NEAR(refused.min_score, 0.9 * 0.55, 1e-12);
 }
 
-/// What a last look makes of a loop that no other supports, with a map that is off by `drift`.
-LoopCandidate LoneLoopOfALastLook(const Pose2& drift) {
-  PoseGraphOptions options = Options();
-  options.constraint_builder.sampling_ratio = 0.0;
-  options.constraint_builder.consistency.min_num_supporters = 2;
-  options.constraint_builder.second_look.min_way = 0.5;
-  options.constraint_builder.last_look = {2, 0.9};
-  options.optimization_problem.outliers.max_distance = 0.1;
-  ReturnToARoom run(options);
-  run.AddNode(drift * kFirst, SimulatedRoom().ScanAt(kFirst), 1);
-  run.graph().FinishSubmap(SubmapId{1}, SimulatedRoom().grid(), kStep);
-  run.graph().CollectLoops(kStep);
-  return run.graph().LookLast(kStep + 1).at(0);
-}
-
-TEST(PoseGraph, BelievesALoneLoopOfALastLookIfTheMapAgrees) {
-  EXPECT_EQ(LoneLoopOfALastLook(Pose2(0.04, 0.0, 0.0)).verdict, Verdict::kAccepted);
-  EXPECT_EQ(LoneLoopOfALastLook(Pose2(0.2, 0.0, 0.0)).verdict, Verdict::kInconsistent);
-}
-
 TEST(PoseGraph, DoesNotConsiderWhatIsTooFarOrBlindOrLiesInTheSubmap) {
   ReturnToARoom run(Options());
   run.AddNode(Pose2(4.1, 0.5, 0.0), {{1.0, 0.0}}, 1);  // 3.1 m from the only node of submap 0
@@ -283,15 +263,6 @@ TEST(PoseGraph, BelievesNoLoopThatStandsAlone) {
   EXPECT_EQ(alone.verdict, Verdict::kInconsistent);
   EXPECT_EQ(alone.num_supporters, 0);
   EXPECT_GT(alone.score, alone.min_score);
-}
-
-TEST(PoseGraph, BelievesALoopThatStandsAloneIfItsScoreIsGood) {
-  PoseGraphOptions options = Options();
-  options.constraint_builder.consistency.min_num_supporters = 1;
-  options.constraint_builder.consistency.good_score_ratio = 1.1;
-  ReturnToARoom run(options);
-  run.ComeTo(kFirst);
-  EXPECT_EQ(run.graph().CollectLoops(kStep).at(0).verdict, Verdict::kAccepted);
 }
 
 TEST(PoseGraph, BelievesLoopsThatAgree) {
