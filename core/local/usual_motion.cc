@@ -14,7 +14,7 @@ constexpr double kNumDeviations = 4.0;
 
 /// [rad] from `angle` to the nearest of those between 0 and `turn`, none farther than pi.
 double AngleOutside(double angle, double turn) {
-  const auto [least, most] = std::minmax(0.0, turn);
+  const auto [least, most] = std::minmax({0.0, turn});
   if (angle >= least && angle <= most) return 0.0;
   return std::min(std::abs(angle), std::abs(NormalizeAngle(angle - turn)));
 }
