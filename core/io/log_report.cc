@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "core/local/hanging_odometry.h"
+
 namespace loopscope {
 namespace {
 
@@ -130,6 +132,16 @@ int ScanAfter(const ScanLog& log, std::size_t reading) {
                           log.scans.begin());
 }
 
+/// Scans before which odometry stands still, though what is seen changes.
+std::vector<int> ScansAfterHanging(const ScanLog& log) {
+  constexpr double kMaxChangedShare = 0.25;
+  std::vector<int> scans;
+  for (int scan = 1; scan < static_cast<int>(log.scans.size()); ++scan) {
+    if (OdometryHangs(log, scan, kMaxChangedShare)) scans.push_back(scan);
+  }
+  return scans;
+}
+
 void AdviseOnTimes(const ScanLog& log, LogReport* report) {
   const Backwards backwards = BackwardsIn(log.scans);
   if (backwards.count > 0) {
@@ -167,6 +179,14 @@ void AdviseOnOdometry(const ScanLog& log, LogReport* report) {
         "there, and try --no-odometry.",
         jumps.count, jumps.first.translation.norm(), RadiansToDegrees(jumps.first.rotation),
         ScanAfter(log, jumps.first_reading)));
+  }
+  const std::vector<int> after_hanging = ScansAfterHanging(log);
+  if (!after_hanging.empty()) {
+    report->advice.push_back(fmt::format(
+        "Odometry stands still before {} scans, first before scan {}, though they see something "
+        "else than those before them: it hangs. Mapping does not use it there "
+        "(TRAJECTORY_BUILDER_2D.max_changed_share_at_standstill).",
+        after_hanging.size(), after_hanging.front()));
   }
   constexpr double kSparse = 0.5;
   if (report->scan_distance > kSparse) {

@@ -19,8 +19,8 @@ struct RecoveryOptions {
   double min_relative_score = 0.0;
   /// Likewise where no odometry predicted the scan; any gain is taken then.
   double unmeasured_min_relative_score = 0.0;
-  double unmeasured_linear_search_window = 1.0;                      ///< [m]
-  double unmeasured_angular_search_window = DegreesToRadians(30.0);  ///< [rad]
+  double unmeasured_linear_search_window = 1.0;  ///< [m] where it is looked for first
+  double unmeasured_angular_search_window = DegreesToRadians(30.0);  ///< [rad] likewise
   /// What lies beyond that window must score this many times as much as all in it.
   double unmeasured_min_score_ratio = 1.0;
   double min_gain = 0.2;  ///< take what was found if its mean probability is higher by this much

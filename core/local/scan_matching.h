@@ -30,8 +30,9 @@ struct MatchPrior {
 /// Local scan matching: the correlative matcher, if it is switched on, then (CS). Around a prior
 /// that was not measured both look further, see unmeasured_prior_scale. If the scan matches badly
 /// there, measured by the `expected_score`, but well where the velocity has it, odometry was wrong.
-/// If it matches badly at both, it is searched for in a wide window around the prior; if it is not
-/// found there either, and its points in known cells match badly too, it stays at the prior: kNone.
+/// If it matches badly at both, it is searched for in a wide window around the prior, of one that
+/// was not measured first nearby; if it is not found there either, and its points in known cells
+/// match badly too, it stays at the prior: kNone.
 ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& grid,
                     const MatchPrior& prior, double expected_score,
                     const LocalSlamOptions& options);

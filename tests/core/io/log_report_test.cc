@@ -80,6 +80,16 @@ TEST(LogReport, TellsOfOdometryThatJumps) {
               ElementsAre(HasSubstr("jumps 1 times, first by 0.05 m and 85.9 deg before scan 70")));
 }
 
+TEST(LogReport, TellsOfOdometryThatHangs) {
+  ScanLog log = GoodLog();
+  for (int i = 70; i < 73; ++i) {
+    log.scans[i].num_odometry_before = log.scans[69].num_odometry_before;
+    for (float& range : log.scans[i].ranges) range += 0.5F * static_cast<float>(i - 69);
+  }
+  EXPECT_THAT(ReportOn(log).advice,
+              ElementsAre(HasSubstr("stands still before 3 scans, first before scan 70")));
+}
+
 TEST(LogReport, TellsOfKeyFrames) {
   ScanLog log = GoodLog();
   for (int i = 0; i < 100; ++i) log.odometry[i].odom_from_base.translation.x() = 0.9 * i;
