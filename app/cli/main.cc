@@ -8,6 +8,7 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -24,6 +25,13 @@ const char kDescription[] =
 
 const char kFooter[] =
     "Exit codes: 0 fine, 1 the answer is \"no\" or a comparison failed, 2 bad usage or bad input.";
+
+/// Of the command that was given, or of the program if that was none.
+std::string HelpOf(const CLI::App& app) {
+  const std::vector<CLI::App*> commands = app.get_subcommands();
+  return commands.empty() ? "loopscope --help"
+                          : "loopscope " + commands.front()->get_name() + " --help";
+}
 
 /// Throws if what was printed did not go where it should.
 void FlushOutput() {
@@ -61,7 +69,7 @@ int main(int argc, char** argv) {
     return exit_code;
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
-    std::fprintf(stderr, "loopscope: %s (see loopscope --help)\n", error.what());
+    std::fprintf(stderr, "loopscope: %s (see %s)\n", error.what(), HelpOf(app).c_str());
   } catch (const std::exception& error) {
     std::fprintf(stderr, "loopscope: %s\n", error.what());
   }

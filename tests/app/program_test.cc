@@ -40,6 +40,13 @@ TEST(Program, BadUsageIsOneLineAndExitCodeTwo) {
   }
 }
 
+TEST(Program, SendsToTheHelpOfTheCommand) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(RunLoopscope(folder, "--nonsense").err, HasSubstr("(see loopscope --help)"));
+  EXPECT_THAT(RunLoopscope(folder, "why run.loopscope --node 1").err,
+              HasSubstr("(see loopscope why --help)"));
+}
+
 TEST(Program, SaysThatItCannotPrint) {
   const TemporaryFolder folder;
   const ProgramRun run = RunLoopscope(folder, "info '" LOOPSCOPE_SOURCE_DIR
