@@ -262,7 +262,7 @@ std::vector<LoopCandidate> PoseGraph::LookLast(int step) {
 }
 
 SubmapPlace PoseGraph::PlaceOf(SubmapId id) const {
-  const GraphSubmap& data = graph_.submaps[id.index];
+  const GraphSubmap& data = graph_.submap(id);
   return {id,
           graph_.global_from_submap[id.index],
           data.node_box,

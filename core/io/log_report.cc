@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/local/hanging_odometry.h"
+#include "core/slam/options.h"
 
 namespace loopscope {
 namespace {
@@ -134,10 +135,11 @@ int ScanAfter(const ScanLog& log, std::size_t reading) {
 
 /// Scans before which odometry stands still, though what is seen changes.
 std::vector<int> ScansAfterHanging(const ScanLog& log) {
-  constexpr double kMaxChangedShare = 0.25;
+  const double max_changed_share =
+      LoopscopePreset().trajectory_builder_2d.max_changed_share_at_standstill;
   std::vector<int> scans;
   for (int scan = 1; scan < static_cast<int>(log.scans.size()); ++scan) {
-    if (OdometryHangs(log, scan, kMaxChangedShare)) scans.push_back(scan);
+    if (OdometryHangs(log, scan, max_changed_share)) scans.push_back(scan);
   }
   return scans;
 }
@@ -184,7 +186,7 @@ void AdviseOnOdometry(const ScanLog& log, LogReport* report) {
   if (!after_hanging.empty()) {
     report->advice.push_back(fmt::format(
         "Odometry stands still before {} scans, first before scan {}, though they see something "
-        "else than those before them: it hangs. Mapping does not use it there "
+        "else than those before them: it hangs. By default it is not used there "
         "(TRAJECTORY_BUILDER_2D.max_changed_share_at_standstill).",
         after_hanging.size(), after_hanging.front()));
   }

@@ -83,15 +83,18 @@ void LocalSlam::Match(int scan, LocalSlamResult* result) {
 
 MatchPrior LocalSlam::PriorOf(int scan, const LocalSlamResult& result,
                               const ActiveSubmap& submap) const {
-  const Pose2 submap_from_local = submap.local_from_submap.Inverse();
-  MatchPrior prior{submap_from_local * result.local_from_base_prior};
+  MatchPrior prior{submap.local_from_submap.Inverse() * result.local_from_base_prior};
   if (!result.odom_from_base || !extrapolator_.HasOdometry()) return prior;
   prior.is_measured = true;
   if (num_matched_ >= kNumScansUntilVelocityIsKnown) {
-    prior.submap_from_base_by_velocity =
-        submap_from_local * extrapolator_.PredictByVelocity(log_.scans[scan].time);
+    prior.submap_from_base_by_velocity = SubmapFromBaseByVelocity(scan, submap);
   }
   return prior;
+}
+
+Pose2 LocalSlam::SubmapFromBaseByVelocity(int scan, const ActiveSubmap& submap) const {
+  return submap.local_from_submap.Inverse() *
+         extrapolator_.PredictByVelocity(log_.scans[scan].time);
 }
 
 std::optional<double> LocalSlam::MinScoreRatioOfDoubt(const LocalSlamResult& result) const {
@@ -111,10 +114,8 @@ ScanMatch LocalSlam::MatchInDoubt(const PointCloud& points, int scan, const Loca
       MatchScan(points, submap.grid, PriorOf(scan, result, submap), expected_score_, options_);
   const std::optional<double> min_score_ratio = MinScoreRatioOfDoubt(result);
   if (!min_score_ratio) return match;
-  const Pose2 submap_from_base_by_velocity =
-      submap.local_from_submap.Inverse() * extrapolator_.PredictByVelocity(log_.scans[scan].time);
-  ScanMatch without_odometry =
-      MatchScan(points, submap.grid, {submap_from_base_by_velocity}, expected_score_, options_);
+  ScanMatch without_odometry = MatchScan(
+      points, submap.grid, {SubmapFromBaseByVelocity(scan, submap)}, expected_score_, options_);
   if (without_odometry.start == MatchStart::kNone ||
       without_odometry.score < *min_score_ratio * match.score) {
     return match;

@@ -41,6 +41,7 @@ class LocalSlam {
   /// If odometry is used, there is any, and it does not hang.
   std::optional<Pose2> OdometryOf(int scan) const;
   MatchPrior PriorOf(int scan, const LocalSlamResult& result, const ActiveSubmap& submap) const;
+  Pose2 SubmapFromBaseByVelocity(int scan, const ActiveSubmap& submap) const;
   /// How many times as much the scan must score without odometry for that to be disbelieved;
   /// nothing if there is no reason to doubt it.
   std::optional<double> MinScoreRatioOfDoubt(const LocalSlamResult& result) const;

@@ -58,14 +58,9 @@ ScanMatch MatchAroundPriors(const PointCloud& points_in_base, const ProbabilityG
   return by_velocity.score >= good_score ? by_velocity : match;
 }
 
-/// The best match in a window of +-`linear` [m] and +-`angular` [rad], if it beats `min_score`.
-std::optional<ScanMatch> SearchWidely(const PointCloud& points_in_base, const ProbabilityGrid& grid,
-                                      const Pose2& submap_from_base_prior, double linear,
-                                      double angular, double min_score,
-                                      const LocalSlamOptions& options) {
-  const BranchAndBoundMatcher matcher(grid, kRecoveryDepth);
-  const SearchOutcome outcome =
-      matcher.Search(points_in_base, submap_from_base_prior, linear, angular, min_score);
+/// What a wide search found, refined; nothing if it found nothing.
+std::optional<ScanMatch> Refined(const SearchOutcome& outcome, const PointCloud& points_in_base,
+                                 const ProbabilityGrid& grid, const LocalSlamOptions& options) {
   if (!outcome.winner) return std::nullopt;
   const Pose2& found = outcome.winner->submap_from_scan;
   ScanMatch match{
@@ -83,9 +78,11 @@ std::optional<ScanMatch> Recover(const PointCloud& points_in_base, const Probabi
                                  double near_score, double min_score,
                                  const LocalSlamOptions& options) {
   const RecoveryOptions& recovery = options.recovery;
+  const BranchAndBoundMatcher matcher(grid, kRecoveryDepth);
   const auto search = [&](double linear, double angular, double score_to_beat) {
-    return SearchWidely(points_in_base, grid, submap_from_base_prior, linear, angular,
-                        std::max(score_to_beat, min_score), options);
+    return Refined(matcher.Search(points_in_base, submap_from_base_prior, linear, angular,
+                                  std::max(score_to_beat, min_score)),
+                   points_in_base, grid, options);
   };
   const auto search_all = [&](double score_to_beat) {
     return search(recovery.linear_search_window, recovery.angular_search_window, score_to_beat);
