@@ -38,7 +38,8 @@ LocalSlamResult LocalSlam::AddScan(int scan) {
   result.local_from_base_prior = Rounded(extrapolator_.Predict(time, result.odom_from_base));
   result.local_from_base = result.local_from_base_prior;
   if (result.has_returns) Match(scan, &result);
-  extrapolator_.AddPose(time, result.local_from_base, result.odom_from_base, result.way_is_held);
+  extrapolator_.AddPose(time, result.local_from_base, result.odom_from_base,
+                        result.motion_knowledge);
   if (result.has_returns && !motion_filter_.IsSimilar(time, result.local_from_base)) {
     result.insertion = active_submaps_.Insert(result.local_from_base, result.range_data);
   }
@@ -69,22 +70,21 @@ void LocalSlam::Match(int scan, LocalSlamResult* result) {
         Rounded(local_from_submap * *match.submap_from_base_correlative);
   }
   result->match_start = match.start;
-  if (match.start != MatchStart::kNone) {
+  if (match.start != MatchStart::kNone || !result->odom_from_base) {
     result->local_from_base = Rounded(local_from_submap * match.submap_from_base);
-  } else if (!result->odom_from_base) {
-    result->local_from_base = extrapolator_.LastPose();
   } else if (const auto local_from_base = PlaceByScansAhead(scan, *submap)) {
     result->local_from_base = Rounded(*local_from_base);
     result->match_start = MatchStart::kAhead;
   }
-  result->way_is_held = result->odom_from_base && match.start == MatchStart::kPrior &&
-                        HoldsAhead(*points, match.submap_from_base, submap->grid);
+  const bool is_as_measured = result->odom_from_base && match.start == MatchStart::kPrior;
+  const bool is_held = match.start != MatchStart::kNone &&
+                       HoldsAhead(*points, match.submap_from_base, submap->grid);
+  result->motion_knowledge = {is_as_measured || is_held, is_as_measured && is_held};
 }
 
 MatchPrior LocalSlam::PriorOf(int scan, const LocalSlamResult& result,
                               const ActiveSubmap& submap) const {
   MatchPrior prior{submap.local_from_submap.Inverse() * result.local_from_base_prior};
-  if (!result.odom_from_base || !extrapolator_.HasOdometry()) return prior;
   prior.is_measured = true;
   if (num_matched_ >= kNumScansUntilVelocityIsKnown) {
     prior.submap_from_base_by_velocity = SubmapFromBaseByVelocity(scan, submap);
@@ -108,14 +108,31 @@ std::optional<double> LocalSlam::MinScoreRatioOfDoubt(const LocalSlamResult& res
   return ratio > 0.0 ? std::optional<double>(ratio) : std::nullopt;
 }
 
+ScanMatch LocalSlam::MatchWithoutOdometry(const PointCloud& points, int scan,
+                                          const ActiveSubmap& submap) const {
+  const Pose2 submap_from_base_before =
+      submap.local_from_submap.Inverse() * extrapolator_.LastPose();
+  const PastMotions& motions = extrapolator_.past_motions();
+  if (options_.past_motions_weight > 0.0 && motions.SayMoreThanVelocity()) {
+    return MatchAsBefore(points, submap.grid, submap_from_base_before,
+                         motions.Prior(options_.past_motions_weight), expected_score_, options_);
+  }
+  ScanMatch match = MatchScan(points, submap.grid, {SubmapFromBaseByVelocity(scan, submap)},
+                              expected_score_, options_);
+  if (match.start == MatchStart::kNone) match.submap_from_base = submap_from_base_before;
+  return match;
+}
+
 ScanMatch LocalSlam::MatchInDoubt(const PointCloud& points, int scan, const LocalSlamResult& result,
                                   const ActiveSubmap& submap) const {
+  if (!result.odom_from_base || !extrapolator_.HasOdometry()) {
+    return MatchWithoutOdometry(points, scan, submap);
+  }
   const ScanMatch match =
       MatchScan(points, submap.grid, PriorOf(scan, result, submap), expected_score_, options_);
   const std::optional<double> min_score_ratio = MinScoreRatioOfDoubt(result);
   if (!min_score_ratio) return match;
-  ScanMatch without_odometry = MatchScan(
-      points, submap.grid, {SubmapFromBaseByVelocity(scan, submap)}, expected_score_, options_);
+  ScanMatch without_odometry = MatchWithoutOdometry(points, scan, submap);
   if (without_odometry.start == MatchStart::kNone ||
       without_odometry.score < *min_score_ratio * match.score) {
     return match;
@@ -133,7 +150,7 @@ std::optional<Pose2> LocalSlam::PlaceByScansAhead(int scan, const ActiveSubmap& 
     const std::optional<Pose2> odom_from_base = OdometryOf(ahead);
     const double time = log_.scans[ahead].time;
     const Pose2 predicted = extrapolator.Predict(time, odom_from_base);
-    extrapolator.AddPose(time, predicted, odom_from_base, false);
+    extrapolator.AddPose(time, predicted, odom_from_base, MotionKnowledge());
     local_from_predicted.push_back(predicted);
     if (ahead == scan) continue;
     const auto points = PointsToMatch(PrepareRangeData(log_, ahead, options_));

@@ -20,7 +20,7 @@ struct LocalSlamResult {
   std::optional<Pose2> local_from_base_correlative;  ///< after the correlative matcher, if it ran
   Pose2 local_from_base;                             ///< after (CS), or extrapolated
   MatchStart match_start = MatchStart::kNone;
-  bool way_is_held = false;  ///< the match tells how far ahead the robot came since the scan before
+  MotionKnowledge motion_knowledge;  ///< of the motion since the scan before
   bool has_returns = false;
   RangeData range_data;                               ///< in the frame of the robot
   std::optional<ActiveSubmaps::Insertion> insertion;  ///< unless the motion filter dropped the scan
@@ -45,6 +45,9 @@ class LocalSlam {
   /// How many times as much the scan must score without odometry for that to be disbelieved;
   /// nothing if there is no reason to doubt it.
   std::optional<double> MinScoreRatioOfDoubt(const LocalSlamResult& result) const;
+  /// Where the scan matches whatever odometry says.
+  ScanMatch MatchWithoutOdometry(const PointCloud& points, int scan,
+                                 const ActiveSubmap& submap) const;
   /// Where odometry has the scan, or if that is doubtful, where it matches without.
   ScanMatch MatchInDoubt(const PointCloud& points, int scan, const LocalSlamResult& result,
                          const ActiveSubmap& submap) const;

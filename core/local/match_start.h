@@ -8,11 +8,11 @@ namespace loopscope {
 
 /// Where the match of a scan began that was believed.
 enum class MatchStart {
-  kNone,      ///< it was not matched, or matched nowhere as expected: it stays where odometry
-              ///< has it, or where the scan before was
+  kNone,      ///< it was not matched, or matched nowhere as expected: it stays where odometry has
+              ///< it, or without where the scan before was, or where the motions before have it
   kPrior,     ///< where odometry has the robot, or without odometry the velocity
   kVelocity,  ///< where the robot would be had it gone on as before: odometry was not believed
-  kRecovery,  ///< where a search in a wide window found it
+  kRecovery,  ///< where a search in a wide window found it, or one by the motions before
   kAhead,     ///< nowhere, but a scan soon after it did match: it has its share of the jump there
 };
 

@@ -38,14 +38,16 @@ double PoseExtrapolator::StretchUntil(double time) const {
 }
 
 void PoseExtrapolator::AddPose(double time, const Pose2& local_from_base,
-                               const std::optional<Pose2>& odom_from_base, bool way_is_held) {
+                               const std::optional<Pose2>& odom_from_base,
+                               const MotionKnowledge& knowledge) {
   if (last_) {
     const Pose2 motion = last_->local_from_base.Inverse() * local_from_base;
     if (last_->odom_from_base && odom_from_base) {
       const Pose2 odometry_motion = last_->odom_from_base->Inverse() * *odom_from_base;
-      calibration_.Learn(odometry_motion, motion, way_is_held);
+      calibration_.Learn(odometry_motion, motion, knowledge.way_is_held);
       usual_motion_.Learn(odometry_motion);
     }
+    if (knowledge.is_known) past_motions_.Learn(motion);
     if (before_last_) pace_.Learn(LastMotion(), StretchUntil(time), motion);
     const double gain = before_last_ ? velocity_gain_ : 1.0;
     velocity_ += gain * (motion.translation - velocity_);

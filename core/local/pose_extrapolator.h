@@ -6,10 +6,19 @@
 
 #include "core/geometry/pose2.h"
 #include "core/local/odometry_calibration.h"
+#include "core/local/past_motions.h"
 #include "core/local/steady_pace.h"
 #include "core/local/usual_motion.h"
 
 namespace loopscope {
+
+/// What is known of the motion from one scan to the next after matching.
+struct MotionKnowledge {
+  /// The match agrees with odometry, or the scan fits less 0.1 m ahead and back.
+  bool is_known = false;
+  /// It does both, and so tells how far odometry moves, see OdometryCalibration.
+  bool way_is_held = false;
+};
 
 /// Predicts where the robot is when a scan comes, from where the scans before were matched.
 class PoseExtrapolator {
@@ -46,10 +55,12 @@ class PoseExtrapolator {
            usual_motion_.IsExceededBy(last_->odom_from_base->Inverse() * odom_from_base);
   }
 
-  /// Tells where the scan at `time` was matched, and whether that tells how far ahead it is, see
-  /// OdometryCalibration.
+  /// All that were known.
+  const PastMotions& past_motions() const { return past_motions_; }
+
+  /// Tells where the scan at `time` was matched, and what that tells.
   void AddPose(double time, const Pose2& local_from_base,
-               const std::optional<Pose2>& odom_from_base, bool way_is_held);
+               const std::optional<Pose2>& odom_from_base, const MotionKnowledge& knowledge);
 
  private:
   struct Known {
@@ -66,6 +77,7 @@ class PoseExtrapolator {
   std::optional<Known> before_last_;
   OdometryCalibration calibration_;
   UsualMotion usual_motion_;
+  PastMotions past_motions_;
   SteadyPace pace_;
   double velocity_gain_;
   Eigen::Vector2d velocity_ =

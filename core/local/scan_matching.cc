@@ -6,6 +6,7 @@
 
 #include "core/matching/branch_and_bound.h"
 #include "core/matching/match_score.h"
+#include "core/matching/prior_search.h"
 
 namespace loopscope {
 namespace {
@@ -58,15 +59,11 @@ ScanMatch MatchAroundPriors(const PointCloud& points_in_base, const ProbabilityG
   return by_velocity.score >= good_score ? by_velocity : match;
 }
 
-/// What a wide search found, refined; nothing if it found nothing.
-std::optional<ScanMatch> Refined(const SearchOutcome& outcome, const PointCloud& points_in_base,
-                                 const ProbabilityGrid& grid, const LocalSlamOptions& options) {
-  if (!outcome.winner) return std::nullopt;
-  const Pose2& found = outcome.winner->submap_from_scan;
+/// What a search found, refined.
+ScanMatch Refined(const Pose2& found, const PointCloud& points_in_base, const ProbabilityGrid& grid,
+                  const CeresScanMatcherOptions& options) {
   ScanMatch match{
-      found,
-      MatchWithCeres(points_in_base, grid, found.translation, found, options.ceres_scan_matcher)
-          .submap_from_scan,
+      found, MatchWithCeres(points_in_base, grid, found.translation, found, options).submap_from_scan,
       0.0, MatchStart::kRecovery};
   match.score = MeanProbability(points_in_base, match.submap_from_base, grid);
   return match;
@@ -79,10 +76,13 @@ std::optional<ScanMatch> Recover(const PointCloud& points_in_base, const Probabi
                                  const LocalSlamOptions& options) {
   const RecoveryOptions& recovery = options.recovery;
   const BranchAndBoundMatcher matcher(grid, kRecoveryDepth);
-  const auto search = [&](double linear, double angular, double score_to_beat) {
-    return Refined(matcher.Search(points_in_base, submap_from_base_prior, linear, angular,
-                                  std::max(score_to_beat, min_score)),
-                   points_in_base, grid, options);
+  const auto search = [&](double linear, double angular,
+                          double score_to_beat) -> std::optional<ScanMatch> {
+    const SearchOutcome outcome = matcher.Search(points_in_base, submap_from_base_prior, linear,
+                                                 angular, std::max(score_to_beat, min_score));
+    if (!outcome.winner) return std::nullopt;
+    return Refined(outcome.winner->submap_from_scan, points_in_base, grid,
+                   options.ceres_scan_matcher);
   };
   const auto search_all = [&](double score_to_beat) {
     return search(recovery.linear_search_window, recovery.angular_search_window, score_to_beat);
@@ -123,6 +123,19 @@ ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& gri
   if (MatchesWhatIsKnown(points_in_base, near, grid, min_score, options)) return near;
   return {std::nullopt, prior.submap_from_base,
           MeanProbability(points_in_base, prior.submap_from_base, grid), MatchStart::kNone};
+}
+
+ScanMatch MatchAsBefore(const PointCloud& points_in_base, const ProbabilityGrid& grid,
+                        const Pose2& submap_from_base_before, const MotionPrior& prior,
+                        double expected_score, const LocalSlamOptions& options) {
+  const CorrelativeMatch likeliest =
+      MatchWithPrior(points_in_base, grid, submap_from_base_before, prior);
+  ScanMatch match =
+      Refined(likeliest.submap_from_scan, points_in_base, grid, options.ceres_scan_matcher);
+  if (match.score < options.recovery.min_relative_score * expected_score) {
+    match.start = MatchStart::kNone;
+  }
+  return match;
 }
 
 }  // namespace loopscope

@@ -7,6 +7,7 @@
 #include "core/grid/probability_grid.h"
 #include "core/local/local_slam_options.h"
 #include "core/local/match_start.h"
+#include "core/matching/motion_prior.h"
 
 namespace loopscope {
 
@@ -36,5 +37,12 @@ struct MatchPrior {
 ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& grid,
                     const MatchPrior& prior, double expected_score,
                     const LocalSlamOptions& options);
+
+/// Likewise of a scan of whose motion since the scan before, at `submap_from_base_before`, only the
+/// `prior` is known: at its most probable pose, then (CS). It is there if it matches badly, too, but
+/// as kNone.
+ScanMatch MatchAsBefore(const PointCloud& points_in_base, const ProbabilityGrid& grid,
+                        const Pose2& submap_from_base_before, const MotionPrior& prior,
+                        double expected_score, const LocalSlamOptions& options);
 
 }  // namespace loopscope

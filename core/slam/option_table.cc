@@ -158,6 +158,9 @@ Rows LocalSlamRows(LocalSlamOptions* o) {
       {"unusual_motion_min_score_ratio", &o->unusual_motion_min_score_ratio, 0, 10, "",
        "Likewise where odometry measured a motion that it hardly ever measures; 0: never. "
        "Not in Cartographer."});
+  rows.push_back({"past_motions_weight", &o->past_motions_weight, 0, 1, "",
+                  "Without odometry, where scans are sparse, the power to which the likelihood of a "
+                  "motion, judged by those before, counts; 0: not. Not in Cartographer."});
   rows.push_back({"use_online_correlative_scan_matching", &o->use_online_correlative_scan_matching,
                   0, 0, "", "Whether the correlative matcher runs before (CS)."});
   Append("real_time_correlative_scan_matcher.",

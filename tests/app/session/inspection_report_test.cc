@@ -95,7 +95,7 @@ TEST(ReportOnStep, TellsOfTheScanAndItsMatch) {
 TEST(ReportOnStep, TellsThatTheFirstScanWasNotMatched) {
   const InspectionReport report = ReportOnStep(SmallLoopRun(), StateAfterStep(SmallLoopRun(), 0));
   EXPECT_EQ(ValueOf(report, "match began"),
-            "nowhere: it stays where odometry has it, or where it was");
+            "nowhere: it is where it was, or where odometry or past motions lead");
 }
 
 TEST(ReportOnStep, TellsWhatTheScanCaused) {

@@ -152,6 +152,45 @@ TEST(LocalSlam, GoesOnWhereOdometryHangs) {
               Not(PoseNear(truth, 0.5, DegreesToRadians(20.0))));
 }
 
+TEST(LocalSlam, GoesOnByTheMotionsBeforeWhereScansAreSparse) {
+  SimulationOptions simulation_options;
+  simulation_options.scan_period = 1.0;  // 0.8 m
+  simulation_options.lidar.beams = {361, -M_PI, DegreesToRadians(1.0)};
+  const Simulation simulation = Simulate(SmallLoopWorld(), simulation_options);
+  constexpr int kHangScan = 21;
+  ScanLog log = simulation.log;
+  const int last = static_cast<int>(log.scans.size()) - 1;
+  for (int scan = kHangScan; scan <= last; ++scan) {
+    log.scans[scan].num_odometry_before = log.scans[kHangScan].num_odometry_before;
+  }
+  const Pose2 truth = TrueMotion(simulation, kHangScan, last);
+  LocalSlamOptions options = SmallLoopOptions().trajectory_builder_2d;
+  options.recovery.unmeasured_min_relative_score = 0.0;
+  const auto results = AddAllScans(log, options);
+  EXPECT_EQ(results[last].match_start, MatchStart::kRecovery);
+  EXPECT_THAT(Motion(results, kHangScan, last), PoseNear(truth, 0.1, DegreesToRadians(2.0)));
+  options.past_motions_weight = 0.0;
+  EXPECT_THAT(Motion(AddAllScans(log, options), kHangScan, last),
+              Not(PoseNear(truth, 0.5, DegreesToRadians(20.0))));
+}
+
+TEST(LocalSlam, TellsWhatItKnowsOfTheMotion) {
+  Simulation simulation = FirstScans(kJumpScan + 1);
+  JumpOdometry(kJumpScan, DegreesToRadians(85.0), &simulation.log);
+  const LocalSlamOptions options = SmallLoopOptions().trajectory_builder_2d;
+  const auto results = AddAllScans(simulation.log, options);
+  EXPECT_FALSE(results[0].motion_knowledge.is_known) << "nothing was there to match";
+  int num_held = 0;
+  for (int scan = 1; scan < kJumpScan; ++scan) {
+    if (results[scan].match_start != MatchStart::kPrior) continue;
+    EXPECT_TRUE(results[scan].motion_knowledge.is_known) << scan;
+    num_held += results[scan].motion_knowledge.way_is_held ? 1 : 0;
+  }
+  EXPECT_GT(num_held, 20);
+  EXPECT_FALSE(results[kJumpScan].motion_knowledge.way_is_held) << "odometry says otherwise";
+  EXPECT_TRUE(results[kJumpScan].motion_knowledge.is_known) << "it fits only there";
+}
+
 TEST(LocalSlam, UsesNoOdometryThatHangs) {
   constexpr int kHangScan = 75;  // the robot turns
   ScanLog log = FirstScans(kHangScan + 3).log;
@@ -264,11 +303,22 @@ TEST(LocalSlam, StaysWhereItWasIfNothingTellsWhereItIs) {
   const Simulation simulation = FirstScans(kJumpScan + 10);
   LocalSlamOptions options = SmallLoopOptions().trajectory_builder_2d;
   options.use_odometry = false;
+  options.past_motions_weight = 0.0;
   const auto results = AddAllScans(LogThroughCrowd(simulation), options);
   for (int scan = kJumpScan; scan < kJumpScan + kNumScansInCrowd; ++scan) {
     EXPECT_EQ(results[scan].match_start, MatchStart::kNone) << scan;
     EXPECT_EQ(results[scan].local_from_base, results[scan - 1].local_from_base) << scan;
   }
+}
+
+TEST(LocalSlam, IsWhereTheMotionsBeforeHaveItIfNothingElseTells) {
+  const Simulation simulation = FirstScans(kJumpScan + kNumScansInCrowd);
+  LocalSlamOptions options = SmallLoopOptions().trajectory_builder_2d;
+  options.use_odometry = false;
+  const auto results = AddAllScans(LogThroughCrowd(simulation), options);
+  EXPECT_EQ(results[kJumpScan].match_start, MatchStart::kNone);
+  EXPECT_FALSE(results[kJumpScan].motion_knowledge.is_known);
+  EXPECT_NE(results[kJumpScan].local_from_base, results[kJumpScan - 1].local_from_base);
 }
 
 TEST(LocalSlam, IsTheSameWithRecoveryWhereNothingGoesWrong) {

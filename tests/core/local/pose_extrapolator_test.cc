@@ -10,6 +10,7 @@ namespace loopscope {
 namespace {
 
 constexpr std::nullopt_t kNoOdometry = std::nullopt;
+constexpr MotionKnowledge kKnown{true, true};
 
 const OdometryCalibration kUncalibrated(0.0);
 const SteadyPace kByStamps(0);
@@ -20,8 +21,8 @@ const Pose2 kSecondMotion(0.5, 0.1, 0.2);  // the motion of a second, in the fra
 /// Knows the robot at times 10 s and 11 s.
 PoseExtrapolator MovingExtrapolator() {
   PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);
-  extrapolator.AddPose(10.0, kStart, kNoOdometry, true);
-  extrapolator.AddPose(11.0, kStart * kSecondMotion, kNoOdometry, true);
+  extrapolator.AddPose(10.0, kStart, kNoOdometry, kKnown);
+  extrapolator.AddPose(11.0, kStart * kSecondMotion, kNoOdometry, kKnown);
   return extrapolator;
 }
 
@@ -32,14 +33,14 @@ TEST(PoseExtrapolator, BeginsAtTheIdentity) {
 
 TEST(PoseExtrapolator, StaysWhenItKnowsOnlyOnePose) {
   PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);
-  extrapolator.AddPose(10.0, kStart, kNoOdometry, true);
+  extrapolator.AddPose(10.0, kStart, kNoOdometry, kKnown);
   EXPECT_EQ(extrapolator.Predict(11.0, kNoOdometry), kStart);
 }
 
 TEST(PoseExtrapolator, AddsTheMotionThatOdometryMeasured) {
   PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);
   const Pose2 odom_from_base(-4.0, 1.0, 2.5);
-  extrapolator.AddPose(10.0, kStart, odom_from_base, true);
+  extrapolator.AddPose(10.0, kStart, odom_from_base, kKnown);
   EXPECT_THAT(extrapolator.Predict(11.0, odom_from_base * kSecondMotion),
               PoseNear(kStart * kSecondMotion, 1e-12, 1e-12));
 }
@@ -47,8 +48,8 @@ TEST(PoseExtrapolator, AddsTheMotionThatOdometryMeasured) {
 TEST(PoseExtrapolator, BelievesOdometryWhateverTheStampsSay) {
   PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);
   const Pose2 odom_from_base(9.0, 9.0, 1.0);
-  extrapolator.AddPose(10.0, Pose2(), Pose2(), true);
-  extrapolator.AddPose(11.0, kStart, odom_from_base, true);
+  extrapolator.AddPose(10.0, Pose2(), Pose2(), kKnown);
+  extrapolator.AddPose(11.0, kStart, odom_from_base, kKnown);
   EXPECT_THAT(extrapolator.Predict(10.5, odom_from_base * kSecondMotion),
               PoseNear(kStart * kSecondMotion, 1e-12, 1e-12));
 }
@@ -65,15 +66,15 @@ TEST(PoseExtrapolator, KeepsTheVelocityWhereOdometryBeginsOrEnds) {
   PoseExtrapolator extrapolator = MovingExtrapolator();
   const Pose2 kept = extrapolator.Predict(12.0, kNoOdometry);
   EXPECT_EQ(extrapolator.Predict(12.0, Pose2(7.0, 7.0, 1.0)), kept);
-  extrapolator.AddPose(12.0, kept, Pose2(7.0, 7.0, 1.0), true);
+  extrapolator.AddPose(12.0, kept, Pose2(7.0, 7.0, 1.0), kKnown);
   EXPECT_THAT(extrapolator.Predict(13.0, kNoOdometry),
               PoseNear(kept * kSecondMotion, 1e-12, 1e-12));
 }
 
 TEST(PoseExtrapolator, TellsWhereTheVelocityLeadsWhateverOdometrySays) {
   PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);
-  extrapolator.AddPose(10.0, kStart, Pose2(), true);
-  extrapolator.AddPose(11.0, kStart * kSecondMotion, Pose2(), true);  // odometry stands still
+  extrapolator.AddPose(10.0, kStart, Pose2(), kKnown);
+  extrapolator.AddPose(11.0, kStart * kSecondMotion, Pose2(), kKnown);  // odometry stands still
   EXPECT_THAT(extrapolator.Predict(12.0, Pose2()), PoseNear(kStart * kSecondMotion, 1e-12, 1e-12));
   EXPECT_THAT(extrapolator.PredictByVelocity(12.0),
               PoseNear(kStart * kSecondMotion * kSecondMotion, 1e-12, 1e-12));
@@ -81,9 +82,9 @@ TEST(PoseExtrapolator, TellsWhereTheVelocityLeadsWhateverOdometrySays) {
 
 TEST(PoseExtrapolator, FollowsAChangeOfVelocityAsFarAsItsGainSays) {
   PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 0.25);
-  extrapolator.AddPose(10.0, Pose2(), kNoOdometry, true);
-  extrapolator.AddPose(11.0, Pose2(1.0, 0.0, 0.0), kNoOdometry, true);
-  extrapolator.AddPose(12.0, Pose2(3.0, 0.0, 0.1), kNoOdometry, true);
+  extrapolator.AddPose(10.0, Pose2(), kNoOdometry, kKnown);
+  extrapolator.AddPose(11.0, Pose2(1.0, 0.0, 0.0), kNoOdometry, kKnown);
+  extrapolator.AddPose(12.0, Pose2(3.0, 0.0, 0.1), kNoOdometry, kKnown);
   const Pose2 last(3.0, 0.0, 0.1);
   EXPECT_THAT(extrapolator.Predict(13.0, kNoOdometry),
               PoseNear(last * Pose2(1.25, 0.0, 0.1), 1e-12, 1e-12))
@@ -94,7 +95,7 @@ TEST(PoseExtrapolator, GoesOnFromScanToScanWhereStampsJitter) {
   PoseExtrapolator extrapolator(kUncalibrated, SteadyPace(50), 1.0);
   Pose2 local_from_base;
   for (const double time : {0.0, 0.1, 1.0, 1.0, 2.1, 2.2}) {
-    extrapolator.AddPose(time, local_from_base, kNoOdometry, true);
+    extrapolator.AddPose(time, local_from_base, kNoOdometry, kKnown);
     local_from_base = local_from_base * kSecondMotion;
   }
   EXPECT_THAT(extrapolator.Predict(2.21, kNoOdometry), PoseNear(local_from_base, 1e-12, 1e-12));
@@ -109,22 +110,22 @@ TEST(PoseExtrapolator, StaysWhenTimeRunsBackwards) {
   PoseExtrapolator extrapolator = MovingExtrapolator();
   EXPECT_THAT(extrapolator.Predict(9.0, kNoOdometry),
               PoseNear(kStart * kSecondMotion, 1e-12, 1e-12));
-  extrapolator.AddPose(9.0, kStart, kNoOdometry, true);
+  extrapolator.AddPose(9.0, kStart, kNoOdometry, kKnown);
   EXPECT_EQ(extrapolator.Predict(10.0, kNoOdometry), kStart);
 }
 
 TEST(PoseExtrapolator, StaysAfterTwoPosesOfTheSameTime) {
   PoseExtrapolator extrapolator = MovingExtrapolator();
-  extrapolator.AddPose(11.0, kStart, kNoOdometry, true);
+  extrapolator.AddPose(11.0, kStart, kNoOdometry, kKnown);
   EXPECT_EQ(extrapolator.Predict(12.0, kNoOdometry), kStart);
 }
 
 TEST(PoseExtrapolator, HasOdometryIfTheLastPoseHad) {
   PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);
   EXPECT_FALSE(extrapolator.HasOdometry());
-  extrapolator.AddPose(10.0, kStart, Pose2(-4.0, 1.0, 2.5), true);
+  extrapolator.AddPose(10.0, kStart, Pose2(-4.0, 1.0, 2.5), kKnown);
   EXPECT_TRUE(extrapolator.HasOdometry());
-  extrapolator.AddPose(11.0, kStart, kNoOdometry, true);
+  extrapolator.AddPose(11.0, kStart, kNoOdometry, kKnown);
   EXPECT_FALSE(extrapolator.HasOdometry());
 }
 
@@ -132,12 +133,12 @@ TEST(PoseExtrapolator, TellsMotionsThatOdometryHardlyEverMeasures) {
   PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);
   const Pose2 jump(0.0, 0.0, 0.5);
   EXPECT_FALSE(extrapolator.IsUnusual(jump)) << "it begins somewhere";
-  extrapolator.AddPose(10.0, kStart, Pose2(), true);
+  extrapolator.AddPose(10.0, kStart, Pose2(), kKnown);
   EXPECT_TRUE(extrapolator.IsUnusual(jump));
   EXPECT_FALSE(extrapolator.IsUnusual(Pose2(1.0, 0.0, 0.0)));
-  extrapolator.AddPose(11.0, kStart, jump, true);
+  extrapolator.AddPose(11.0, kStart, jump, kKnown);
   EXPECT_FALSE(extrapolator.IsUnusual(jump * jump)) << "now it has";
-  extrapolator.AddPose(12.0, kStart, kNoOdometry, true);
+  extrapolator.AddPose(12.0, kStart, kNoOdometry, kKnown);
   EXPECT_FALSE(extrapolator.IsUnusual(Pose2())) << "nothing was measured before";
 }
 
@@ -145,11 +146,24 @@ TEST(PoseExtrapolator, TellsThatOdometryStandsStillIfItSaysTheSameAsBefore) {
   const Pose2 odom_from_base(-4.0, 1.0, 2.5);
   PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);
   EXPECT_FALSE(extrapolator.StandsStill(odom_from_base)) << "there is none before";
-  extrapolator.AddPose(10.0, kStart, odom_from_base, true);
+  extrapolator.AddPose(10.0, kStart, odom_from_base, kKnown);
   EXPECT_TRUE(extrapolator.StandsStill(odom_from_base));
   EXPECT_FALSE(extrapolator.StandsStill(Pose2(-4.0, 1.0, 2.5001)));
-  extrapolator.AddPose(11.0, kStart, kNoOdometry, true);
+  extrapolator.AddPose(11.0, kStart, kNoOdometry, kKnown);
   EXPECT_FALSE(extrapolator.StandsStill(odom_from_base)) << "nothing was measured before";
+}
+
+TEST(PoseExtrapolator, RemembersTheMotionsThatWereKnown) {
+  PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);
+  const auto drive = [&](const MotionKnowledge& knowledge) {
+    extrapolator = PoseExtrapolator(kUncalibrated, kByStamps, 1.0);
+    for (int i = 0; i <= 20; ++i) {
+      extrapolator.AddPose(i, Pose2(1.0 * i, 0.0, 0.0), kNoOdometry, knowledge);
+    }
+    return extrapolator.past_motions().SayMoreThanVelocity();
+  };
+  EXPECT_TRUE(drive({true, false}));
+  EXPECT_FALSE(drive({false, false}));
 }
 
 }  // namespace

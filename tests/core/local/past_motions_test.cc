@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/local/past_motions.h"
+
+#include <gtest/gtest.h>
+
+namespace loopscope {
+namespace {
+
+PastMotions Motions(int count, const Pose2& motion) {
+  PastMotions motions;
+  for (int i = 0; i < count; ++i) motions.Learn(motion);
+  return motions;
+}
+
+TEST(PastMotions, SayMoreThanTheVelocityWhereScansAreSparse) {
+  EXPECT_TRUE(Motions(20, Pose2(0.2, 0.3, 0.0)).SayMoreThanVelocity());
+  EXPECT_TRUE(Motions(20, Pose2(0.0, 0.0, -0.11)).SayMoreThanVelocity());
+  EXPECT_FALSE(Motions(20, Pose2(0.29, 0.0, 0.09)).SayMoreThanVelocity());
+}
+
+TEST(PastMotions, SayNothingUntilThereAreTwenty) {
+  EXPECT_FALSE(Motions(19, Pose2(1.0, 0.0, 0.0)).SayMoreThanVelocity());
+  EXPECT_FALSE(PastMotions().SayMoreThanVelocity());
+}
+
+TEST(PastMotions, ForgetAllButTheLastThreeHundred) {
+  PastMotions motions = Motions(300, Pose2(6.0, 0.0, 0.0));
+  for (int i = 0; i < 299; ++i) motions.Learn(Pose2());
+  EXPECT_TRUE(motions.SayMoreThanVelocity()) << "one is left";
+  motions.Learn(Pose2());
+  EXPECT_FALSE(motions.SayMoreThanVelocity());
+}
+
+}  // namespace
+}  // namespace loopscope
