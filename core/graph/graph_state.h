@@ -21,6 +21,7 @@ struct GraphNode {
   SubmapId first_submap;  ///< it was inserted into num_submaps submaps from this one on
   int num_submaps = 0;
   std::shared_ptr<const RangeData> scan;  ///< for loop searches, in the frame of the node
+  bool matched_nowhere = false;           ///< see CountedWay
 };
 
 struct GraphSubmap {

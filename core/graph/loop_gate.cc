@@ -9,9 +9,10 @@
 
 namespace loopscope {
 
-double CountedWay(double gap, const ConstraintBuilderOptions& options) {
+double CountedWay(double gap, bool matched_nowhere, const ConstraintBuilderOptions& options) {
   constexpr double kMaxGap = 1.0;  // [m]
-  return gap * (1.0 + options.search_window_growth_per_gap * std::min(gap, kMaxGap));
+  return gap * (1.0 + options.search_window_growth_per_gap * std::min(gap, kMaxGap)) +
+         (matched_nowhere ? options.unmatched_node_way : 0.0);
 }
 
 LoopGate EvaluateLoopGate(const Pose2& submap_from_node_guess, const Eigen::AlignedBox2d& node_box,

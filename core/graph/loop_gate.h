@@ -13,8 +13,9 @@
 
 namespace loopscope {
 
-/// [m] What the `gap` [m] between two nodes counts on the way over which search windows grow.
-double CountedWay(double gap, const ConstraintBuilderOptions& options);
+/// [m] What the `gap` [m] from a node to the next counts on the way over which search windows grow;
+/// more if that one `matched_nowhere`, so that nobody knows how the robot came there.
+double CountedWay(double gap, bool matched_nowhere, const ConstraintBuilderOptions& options);
 
 /// What decides, before any search, whether a node and a submap may see the same place, and how far
 /// off the estimate may be.

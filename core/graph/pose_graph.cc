@@ -84,7 +84,7 @@ void PoseGraph::AddWayTo(NodeId id) {
                                       graph_.nodes[id.index - 1].local_from_node.translation)
                                          .norm();
   graph_.node_ways.push_back(id.index == 0 ? 0.0 : graph_.node_ways.back() + gap);
-  counted_way_ += CountedWay(gap, options_.constraint_builder);
+  counted_way_ += CountedWay(gap, graph_.node(id).matched_nowhere, options_.constraint_builder);
   if (graph_.submaps.back().first_node != id) return;
   graph_.submaps.back().counted_way = counted_way_;
   const std::size_t num_submaps = graph_.submaps.size();

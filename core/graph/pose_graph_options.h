@@ -42,6 +42,9 @@ struct ConstraintBuilderOptions {
   /// [1/m] By how much more a metre of way lets windows grow for each metre, up to one, that lies
   /// between the nodes; not in Cartographer. Scans taken far apart overlap less, and drift more.
   double search_window_growth_per_gap = 0.0;
+  /// [m] of the way for which a node counts whose scan matched nowhere; not in Cartographer. Where
+  /// local SLAM lost the robot on a turn, what comes after lies farther off than drift explains.
+  double unmatched_node_way = 0.0;
   /// [m] Pairs with a wider linear search window are sampled less, in inverse proportion to it; not
   /// in Cartographer. 0: all alike.
   double full_sampling_search_window = 0.0;

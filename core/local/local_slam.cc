@@ -77,8 +77,8 @@ void LocalSlam::Match(int scan, LocalSlamResult* result) {
     result->match_start = MatchStart::kAhead;
   }
   const bool is_as_measured = result->odom_from_base && match.start == MatchStart::kPrior;
-  const bool is_held = match.start != MatchStart::kNone &&
-                       HoldsAhead(*points, match.submap_from_base, submap->grid);
+  const bool is_held =
+      match.start != MatchStart::kNone && HoldsAhead(*points, match.submap_from_base, submap->grid);
   result->motion_knowledge = {is_as_measured || is_held, is_as_measured && is_held};
 }
 

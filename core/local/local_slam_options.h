@@ -70,9 +70,9 @@ struct LocalSlamOptions {
   /// in Cartographer. Odometry may jump.
   double unusual_motion_min_score_ratio = 0.0;
   /// Where no odometry predicts a scan, and scans are so sparse that the velocity does not either,
-  /// the score of a pose counts times the likelihood of the motion to it, judged by those before, to
-  /// this power: as many readings as the reciprocal tell as much as all that is known of the motion;
-  /// 0: velocity predicts all scans. Not in Cartographer. See MotionPrior.
+  /// the score of a pose counts times the likelihood of the motion to it, judged by those before,
+  /// to this power: as many readings as the reciprocal tell as much as all that is known of the
+  /// motion; 0: velocity predicts all scans. Not in Cartographer. See MotionPrior.
   double past_motions_weight = 0.0;
   /// A pose that no odometry predicted is looked for in windows this many times as large, and its
   /// deviation from the prediction weighs as much less. Not in Cartographer.

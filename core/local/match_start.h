@@ -16,6 +16,11 @@ enum class MatchStart {
   kAhead,     ///< nowhere, but a scan soon after it did match: it has its share of the jump there
 };
 
+/// Whether only what was expected tells how the robot came there.
+constexpr bool MatchedNowhere(MatchStart start) {
+  return start == MatchStart::kNone || start == MatchStart::kAhead;
+}
+
 /// In a few words, such as "by the velocity".
 std::string ToString(MatchStart start);
 

@@ -63,8 +63,9 @@ ScanMatch MatchAroundPriors(const PointCloud& points_in_base, const ProbabilityG
 ScanMatch Refined(const Pose2& found, const PointCloud& points_in_base, const ProbabilityGrid& grid,
                   const CeresScanMatcherOptions& options) {
   ScanMatch match{
-      found, MatchWithCeres(points_in_base, grid, found.translation, found, options).submap_from_scan,
-      0.0, MatchStart::kRecovery};
+      found,
+      MatchWithCeres(points_in_base, grid, found.translation, found, options).submap_from_scan, 0.0,
+      MatchStart::kRecovery};
   match.score = MeanProbability(points_in_base, match.submap_from_base, grid);
   return match;
 }

@@ -94,8 +94,7 @@ class PriorSearch {
 
   void ScorePosesOf(const Block& block, const std::vector<CellIndex>& cells) {
     const int turn_bin = *prior_.TurnBin(block.angle * window_.angular_step);
-    const BlockSums sums =
-        SumBlocks(grids_.at_height(0), cells.data(), cells.size(), block.offset);
+    const BlockSums sums = SumBlocks(grids_.at_height(0), cells.data(), cells.size(), block.offset);
     for (int k = 0; k < kBlockSide * kBlockSide; ++k) {
       const CellIndex offset{block.offset.x + k % kBlockSide, block.offset.y + k / kBlockSide};
       const int place_bin = PlaceBinAt(offset);
@@ -115,8 +114,8 @@ class PriorSearch {
       for (int x = -radius; x <= radius; ++x) {
         const int place_bin = PlaceBinAt({x, y});
         if (place_bin == kOutOfReach) continue;
-        float& of_block = highest[(y + radius) / kBlockSide * blocks_per_side_ +
-                                  (x + radius) / kBlockSide];
+        float& of_block =
+            highest[(y + radius) / kBlockSide * blocks_per_side_ + (x + radius) / kBlockSide];
         of_block = std::max(of_block, prior_.Weight(place_bin, turn_bin));
       }
     }

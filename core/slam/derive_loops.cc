@@ -75,7 +75,7 @@ double MinLoopScoreOf(const Recording& recording, SubmapId submap) {
                       recording.options().pose_graph.constraint_builder);
 }
 
-/// What the gaps between nodes [m] count, added up until each node.
+/// What the gaps between nodes [m] count, `count(gap, node after it)`, added up until each node.
 template <typename Count>
 std::vector<double> SumOfGaps(const std::vector<Node>& nodes, const Count& count) {
   std::vector<double> sums;
@@ -83,7 +83,8 @@ std::vector<double> SumOfGaps(const std::vector<Node>& nodes, const Count& count
     sums.push_back(i == 0 ? 0.0
                           : sums.back() + count((nodes[i].local_from_base.translation -
                                                  nodes[i - 1].local_from_base.translation)
-                                                    .norm()));
+                                                    .norm(),
+                                                nodes[i]));
   }
   return sums;
 }
@@ -91,8 +92,10 @@ std::vector<double> SumOfGaps(const std::vector<Node>& nodes, const Count& count
 /// What the mapper knew of the ways between submaps in `state`.
 TravelGraph TravelGraphOf(const Recording& recording, const MapState& state) {
   TravelGraph graph;
-  const std::vector<double> ways = SumOfGaps(recording.nodes(), [&](double gap) {
-    return CountedWay(gap, recording.options().pose_graph.constraint_builder);
+  const std::vector<double> ways = SumOfGaps(recording.nodes(), [&](double gap, const Node& node) {
+    const std::optional<MatchStart> start = recording.step(node.step).match_start;
+    return CountedWay(gap, start && MatchedNowhere(*start),
+                      recording.options().pose_graph.constraint_builder);
   });
   double way_before = 0.0;
   for (int i = 0; i < state.num_submaps; ++i) {
@@ -141,7 +144,7 @@ LoopGate GateIn(const MapState& state, const Recording& recording, SubmapId subm
 }  // namespace
 
 std::vector<double> NodeWays(const Recording& recording) {
-  return SumOfGaps(recording.nodes(), [](double gap) { return gap; });
+  return SumOfGaps(recording.nodes(), [](double gap, const Node&) { return gap; });
 }
 
 std::optional<SearchReplay> ReplaySearch(const Recording& recording, SubmapId submap, NodeId node,

@@ -158,9 +158,10 @@ Rows LocalSlamRows(LocalSlamOptions* o) {
       {"unusual_motion_min_score_ratio", &o->unusual_motion_min_score_ratio, 0, 10, "",
        "Likewise where odometry measured a motion that it hardly ever measures; 0: never. "
        "Not in Cartographer."});
-  rows.push_back({"past_motions_weight", &o->past_motions_weight, 0, 1, "",
-                  "Without odometry, where scans are sparse, the power to which the likelihood of a "
-                  "motion, judged by those before, counts; 0: not. Not in Cartographer."});
+  rows.push_back(
+      {"past_motions_weight", &o->past_motions_weight, 0, 1, "",
+       "Without odometry, where scans are sparse, the power to which the likelihood of a "
+       "motion, judged by those before, counts; 0: not. Not in Cartographer."});
   rows.push_back({"use_online_correlative_scan_matching", &o->use_online_correlative_scan_matching,
                   0, 0, "", "Whether the correlative matcher runs before (CS)."});
   Append("real_time_correlative_scan_matcher.",
@@ -259,6 +260,8 @@ Rows ConstraintBuilderRows(ConstraintBuilderOptions* o) {
        "Where the growth of the search window ends. Not in Cartographer."},
       {"search_window_growth_per_gap", &o->search_window_growth_per_gap, 0, 100, "1/m",
        "Share by which a metre of way counts more for each metre, up to one, between nodes."},
+      {"unmatched_node_way", &o->unmatched_node_way, 0, kMaxLength, "m",
+       "Metres of way for which a node counts whose scan matched nowhere. Not in Cartographer."},
       {"full_sampling_search_window", &o->full_sampling_search_window, 0, kMaxLength, "m",
        "Pairs with a wider search window are sampled less, in inverse proportion; 0: all alike."},
       {"full_sampling_gap", &o->full_sampling_gap, 0, kMaxLength, "m",

@@ -49,6 +49,7 @@ Options LoopscopePreset() {
   loops.linear_search_window_per_meter = 0.021;
   loops.angular_search_window_per_meter = DegreesToRadians(0.02);
   loops.search_window_growth_per_gap = 2.3;
+  loops.unmatched_node_way = 100.0;
   loops.max_linear_search_window = 20.0;
   loops.sampling_ratio = 0.6;
   loops.full_sampling_search_window = 4.0;

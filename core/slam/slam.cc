@@ -75,9 +75,10 @@ void Slam::AddNode(int scan, const LocalSlamResult& local, SlamUpdate* update) {
   update->node = Node{scan, local.local_from_base, insertion.first_submap, insertion.num_submaps};
   auto loop_scan =
       std::make_shared<const RangeData>(LoopScan(local.range_data, options_.trajectory_builder_2d));
-  pose_graph_.AddNode({local.local_from_base, local.odom_from_base, insertion.first_submap,
-                       insertion.num_submaps, std::move(loop_scan)},
-                      scan);
+  pose_graph_.AddNode(
+      {local.local_from_base, local.odom_from_base, insertion.first_submap, insertion.num_submaps,
+       std::move(loop_scan), MatchedNowhere(local.match_start)},
+      scan);
 }
 
 void Slam::FinishSubmap(int scan, ActiveSubmap finished, SlamUpdate* update) {

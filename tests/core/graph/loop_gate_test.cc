@@ -35,11 +35,18 @@ TEST(LoopGate, MeasuresTheDistanceToTheBoxOfTheNodes) {
 
 TEST(CountedWay, CountsWhatLiesBetweenNodesFarApartForMore) {
   ConstraintBuilderOptions options = Options();
-  EXPECT_EQ(CountedWay(0.7, options), 0.7);
+  EXPECT_EQ(CountedWay(0.7, false, options), 0.7);
   options.search_window_growth_per_gap = 1.5;
-  EXPECT_DOUBLE_EQ(CountedWay(0.2, options), 0.2 * 1.3);
-  EXPECT_DOUBLE_EQ(CountedWay(1.0, options), 2.5);
-  EXPECT_DOUBLE_EQ(CountedWay(4.0, options), 10.0) << "no more than that for a metre";
+  EXPECT_DOUBLE_EQ(CountedWay(0.2, false, options), 0.2 * 1.3);
+  EXPECT_DOUBLE_EQ(CountedWay(1.0, false, options), 2.5);
+  EXPECT_DOUBLE_EQ(CountedWay(4.0, false, options), 10.0) << "no more than that for a metre";
+}
+
+TEST(CountedWay, IsLongerToANodeThatMatchedNowhere) {
+  ConstraintBuilderOptions options = Options();
+  options.unmatched_node_way = 50.0;
+  EXPECT_EQ(CountedWay(0.7, true, options), 50.7);
+  EXPECT_EQ(CountedWay(0.7, false, options), 0.7);
 }
 
 TEST(LoopGate, OpensTheWindowWithTheWay) {

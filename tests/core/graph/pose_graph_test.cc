@@ -72,6 +72,20 @@ TEST(PoseGraph, AcceptsALoopAndTellsWhenAndWhere) {
   EXPECT_THAT(candidates[0].submap_from_node, PoseNear(kFirst, 0.02, 0.005));
 }
 
+TEST(PoseGraph, SearchesWiderWhereANodeMatchedNowhere) {
+  PoseGraphOptions options = Options();
+  options.constraint_builder.linear_search_window_per_meter = 0.01;
+  options.constraint_builder.unmatched_node_way = 40.0;
+  const auto window = [&](bool matched_nowhere) {
+    ReturnToARoom run(options);
+    run.graph().AddNode({kDrift * kFirst, std::nullopt, SubmapId{1}, 1,
+                         ScanOf(SimulatedRoom().ScanAt(kFirst)), matched_nowhere},
+                        kStep);
+    return run.graph().CollectLoops(kStep).at(0).linear_search_window;
+  };
+  EXPECT_NEAR(window(true), window(false) + 0.4, 1e-5);
+}
+
 TEST(PoseGraph, TellsTheBestScoreBelowMinScore) {
   ReturnToARoom run(Options());
   run.AddNode(kDrift * kFirst, {{0.3, 0.1}, {0.5, -0.2}, {-0.4, 0.3}}, 1);

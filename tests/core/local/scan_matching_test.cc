@@ -160,8 +160,8 @@ TEST_F(ScanMatching, TakesWhatTheWideSearchFoundOnlyIfItGainsEnoughOverOdometry)
 TEST_F(ScanMatching, FindsAScanByTheMotionsBefore) {
   const Pose2 motion(0.9, 0.1, DegreesToRadians(50.0));
   const MotionPrior prior({Pose2(1.0, 0.0, 0.0), Pose2(0.8, 0.0, DegreesToRadians(45.0))}, 0.05);
-  const ScanMatch match = MatchAsBefore(points_, room_.grid(), kTruth * motion.Inverse(), prior,
-                                        0.0, options_);
+  const ScanMatch match =
+      MatchAsBefore(points_, room_.grid(), kTruth * motion.Inverse(), prior, 0.0, options_);
   ASSERT_TRUE(match.submap_from_base_correlative);
   EXPECT_THAT(*match.submap_from_base_correlative, PoseNear(kTruth, 0.06, 0.03));
   EXPECT_THAT(match.submap_from_base, PoseNear(kTruth, 0.02, 0.01));

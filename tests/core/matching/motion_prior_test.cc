@@ -54,8 +54,8 @@ TEST(MotionPrior, ReachesThreeTimesAsFarAsTheRobotUsuallyMoves) {
 
 TEST(MotionPrior, HasNoBinForWhatItDoesNotReach) {
   const MotionPrior prior({Pose2(0.6, 0.0, 0.0)}, kExponent);
-  for (const Eigen::Vector2d& corner : {Eigen::Vector2d(2.04, 2.04), Eigen::Vector2d(-2.04, -2.04),
-                                        Eigen::Vector2d(2.04, -2.04)}) {
+  for (const Eigen::Vector2d& corner :
+       {Eigen::Vector2d(2.04, 2.04), Eigen::Vector2d(-2.04, -2.04), Eigen::Vector2d(2.04, -2.04)}) {
     const std::optional<int> bin = prior.PlaceBin(corner);
     ASSERT_TRUE(bin);
     EXPECT_GE(*bin, 0);

@@ -52,8 +52,7 @@ TEST(MatchWithPrior, FindsTheMostProbableOfAllPoses) {
     ForEachPose(window, [&](CellIndex offset, int angle) {
       best = std::max(best, WeighedScore(world, prior, before, PlainPose(window, offset, angle)));
     });
-    const CorrelativeMatch match =
-        MatchWithPrior(world.points_in_scan, world.grid, before, prior);
+    const CorrelativeMatch match = MatchWithPrior(world.points_in_scan, world.grid, before, prior);
     EXPECT_NEAR(match.score, best, 1e-6) << "world " << i;
     EXPECT_NEAR(WeighedScore(world, prior, before, match.submap_from_scan), best, 1e-6);
   }

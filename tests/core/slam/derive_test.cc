@@ -252,6 +252,27 @@ TEST(ConsiderPair, SaysOfEverySearchWhatTheMapperWasAsked) {
   EXPECT_GT(num_searched, 50);
 }
 
+TEST(ConsiderPair, KnowsOfNodesThatMatchedNowhere) {
+  ScanLog log = SimulateSmallLoop().log;
+  for (int scan = 60; scan < 66; ++scan) {  // people stand around the robot
+    std::vector<float>& ranges = log.scans[scan].ranges;
+    for (std::size_t beam = 0; beam < ranges.size(); ++beam) {
+      ranges[beam] = 0.5F + 0.07F * static_cast<float>((7 * beam + 5 * scan) % 11);
+    }
+  }
+  const Recording recording = MapLog(log, NarrowGateOptions());
+  ASSERT_TRUE(std::any_of(recording.nodes().begin(), recording.nodes().end(), [&](const Node& n) {
+    return n.step >= 60 && MatchedNowhere(recording.step(n.step).match_start.value());
+  }));
+  double widest = 0.0;  // [m]
+  for (const LoopCandidate& candidate : recording.candidates()) {
+    if (!WasSearchedLast(recording, candidate)) continue;
+    ExpectSameCandidate(ConsiderPair(recording, candidate.submap, candidate.node), candidate);
+    widest = std::max(widest, candidate.linear_search_window);
+  }
+  EXPECT_GT(widest, 3.0) << "as after 100 m";
+}
+
 TEST(GateOfPair, IsOpenForExactlyThePairsThatCameUp) {
   const Recording recording = MapLog(SimulateSmallLoop().log, NarrowGateOptions());
   const auto came_up = [&](int submap, int node) {
