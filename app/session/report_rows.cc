@@ -30,7 +30,7 @@ ReportRow OptionValueRow(const OptionRow& row) {
 std::string Sentence(MatchStart start) {
   switch (start) {
     case MatchStart::kNone:
-      return "nowhere: it is where it was, or where odometry or past motions lead";
+      return "nowhere: it is where it was expected";
     case MatchStart::kPrior:
       return "where predicted";
     case MatchStart::kVelocity:

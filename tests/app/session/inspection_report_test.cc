@@ -94,8 +94,7 @@ TEST(ReportOnStep, TellsOfTheScanAndItsMatch) {
 
 TEST(ReportOnStep, TellsThatTheFirstScanWasNotMatched) {
   const InspectionReport report = ReportOnStep(SmallLoopRun(), StateAfterStep(SmallLoopRun(), 0));
-  EXPECT_EQ(ValueOf(report, "match began"),
-            "nowhere: it is where it was, or where odometry or past motions lead");
+  EXPECT_EQ(ValueOf(report, "match began"), "nowhere: it is where it was expected");
 }
 
 TEST(ReportOnStep, TellsWhatTheScanCaused) {
