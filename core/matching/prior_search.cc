@@ -7,6 +7,8 @@
 #include <tuple>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "core/matching/block_sums.h"
 #include "core/matching/precomputed_grids.h"
 #include "core/matching/search_lattice.h"
