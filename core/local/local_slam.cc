@@ -84,8 +84,7 @@ void LocalSlam::Match(int scan, LocalSlamResult* result) {
 
 MatchPrior LocalSlam::PriorOf(int scan, const LocalSlamResult& result,
                               const ActiveSubmap& submap) const {
-  MatchPrior prior{submap.local_from_submap.Inverse() * result.local_from_base_prior};
-  prior.is_measured = true;
+  MatchPrior prior{submap.local_from_submap.Inverse() * result.local_from_base_prior, true};
   if (num_matched_ >= kNumScansUntilVelocityIsKnown) {
     prior.submap_from_base_by_velocity = SubmapFromBaseByVelocity(scan, submap);
   }
@@ -98,7 +97,7 @@ Pose2 LocalSlam::SubmapFromBaseByVelocity(int scan, const ActiveSubmap& submap) 
 }
 
 std::optional<double> LocalSlam::MinScoreRatioOfDoubt(const LocalSlamResult& result) const {
-  if (!result.odom_from_base || num_matched_ < kNumScansUntilVelocityIsKnown) return std::nullopt;
+  if (num_matched_ < kNumScansUntilVelocityIsKnown) return std::nullopt;
   double ratio = 0.0;
   if (extrapolator_.StandsStill(*result.odom_from_base)) {
     ratio = options_.standstill_min_score_ratio;
@@ -155,9 +154,9 @@ std::optional<Pose2> LocalSlam::PlaceByScansAhead(int scan, const ActiveSubmap& 
     if (ahead == scan) continue;
     const auto points = PointsToMatch(PrepareRangeData(log_, ahead, options_));
     if (!points) continue;
-    MatchPrior prior{submap.local_from_submap.Inverse() * predicted};
-    prior.is_measured = true;
-    const ScanMatch match = MatchScan(*points, submap.grid, prior, expected_score_, options_);
+    const ScanMatch match =
+        MatchScan(*points, submap.grid, {submap.local_from_submap.Inverse() * predicted, true},
+                  expected_score_, options_);
     if (match.start == MatchStart::kNone) continue;
     return FirstOfSharedJump(extrapolator_.LastPose(), local_from_predicted,
                              submap.local_from_submap * match.submap_from_base);

@@ -43,7 +43,7 @@ class LocalSlam {
   MatchPrior PriorOf(int scan, const LocalSlamResult& result, const ActiveSubmap& submap) const;
   Pose2 SubmapFromBaseByVelocity(int scan, const ActiveSubmap& submap) const;
   /// How many times as much the scan must score without odometry for that to be disbelieved;
-  /// nothing if there is no reason to doubt it.
+  /// nothing if there is no reason to doubt odometry, which there must be.
   std::optional<double> MinScoreRatioOfDoubt(const LocalSlamResult& result) const;
   /// Where the scan matches whatever odometry says.
   ScanMatch MatchWithoutOdometry(const PointCloud& points, int scan,

@@ -261,10 +261,7 @@ constexpr int kNumScansInCrowd = 4;
 ScanLog LogThroughCrowd(const Simulation& simulation) {
   ScanLog log = simulation.log;
   for (int i = 0; i < kNumScansInCrowd; ++i) {
-    std::vector<float>& ranges = log.scans[kJumpScan + i].ranges;
-    for (std::size_t beam = 0; beam < ranges.size(); ++beam) {
-      ranges[beam] = 0.5F + 0.07F * static_cast<float>((7 * beam + 5 * i) % 11);
-    }
+    SeePeopleAround(i, &log.scans[kJumpScan + i]);
     JumpOdometry(kJumpScan + i, DegreesToRadians(4.0), &log);
   }
   return log;

@@ -154,9 +154,8 @@ TEST(PoseExtrapolator, TellsThatOdometryStandsStillIfItSaysTheSameAsBefore) {
 }
 
 TEST(PoseExtrapolator, RemembersTheMotionsThatWereKnown) {
-  PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);
-  const auto drive = [&](const MotionKnowledge& knowledge) {
-    extrapolator = PoseExtrapolator(kUncalibrated, kByStamps, 1.0);
+  const auto drive = [](const MotionKnowledge& knowledge) {
+    PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);
     for (int i = 0; i <= 20; ++i) {
       extrapolator.AddPose(i, Pose2(1.0 * i, 0.0, 0.0), kNoOdometry, knowledge);
     }

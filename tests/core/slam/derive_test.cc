@@ -254,12 +254,7 @@ TEST(ConsiderPair, SaysOfEverySearchWhatTheMapperWasAsked) {
 
 TEST(ConsiderPair, KnowsOfNodesThatMatchedNowhere) {
   ScanLog log = SimulateSmallLoop().log;
-  for (int scan = 60; scan < 66; ++scan) {  // people stand around the robot
-    std::vector<float>& ranges = log.scans[scan].ranges;
-    for (std::size_t beam = 0; beam < ranges.size(); ++beam) {
-      ranges[beam] = 0.5F + 0.07F * static_cast<float>((7 * beam + 5 * scan) % 11);
-    }
-  }
+  for (int scan = 60; scan < 66; ++scan) SeePeopleAround(scan, &log.scans[scan]);
   const Recording recording = MapLog(log, NarrowGateOptions());
   ASSERT_TRUE(std::any_of(recording.nodes().begin(), recording.nodes().end(), [&](const Node& n) {
     return n.step >= 60 && MatchedNowhere(recording.step(n.step).match_start.value());
