@@ -119,10 +119,14 @@ void FillRenderer(const Panel& panel, vtkRenderer* renderer) {
   PlaceCamera(panel, renderer);
 }
 
-void Show(const Scene& scene, vtkRenderWindow* window) {
+void Clear(vtkRenderWindow* window) {
   while (vtkRenderer* const old = window->GetRenderers()->GetFirstRenderer()) {
     window->RemoveRenderer(old);
   }
+}
+
+void Show(const Scene& scene, vtkRenderWindow* window) {
+  Clear(window);
   window->AddRenderer(PanelRenderer(SheetOf(scene), scene));
   for (const Panel& panel : scene.panels) window->AddRenderer(PanelRenderer(panel, scene));
 }

@@ -95,6 +95,9 @@ void SetMoving(const Panel& panel, bool moving);
 /// Fills `renderer` with a panel at rest, its camera included.
 void FillRenderer(const Panel& panel, vtkRenderer* renderer);
 
+/// Takes out of `window` what it shows.
+void Clear(vtkRenderWindow* window);
+
 /// Fills `window` with the scene, in place of what it showed. The window should have the size of
 /// the scene.
 void Show(const Scene& scene, vtkRenderWindow* window);

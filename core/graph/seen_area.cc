@@ -23,7 +23,7 @@ bool IsSeen(CellValue value) { return value != kUnknown && ProbabilityOf(value) 
 
 SeenArea::SeenArea(const ProbabilityGrid& grid)
     : block_size_(kCellsPerBlock * grid.resolution()),
-      known_(grid.KnownBox()),
+      known_(grid.box()),
       width_((known_.width + kCellsPerBlock - 1) / kCellsPerBlock),
       height_((known_.height + kCellsPerBlock - 1) / kCellsPerBlock),
       distances_(static_cast<std::size_t>(width_) * height_, kFarthest) {
@@ -34,7 +34,7 @@ SeenArea::SeenArea(const ProbabilityGrid& grid)
 void SeenArea::MarkSeenBlocks(const ProbabilityGrid& grid) {
   for (int y = 0; y < known_.height; ++y) {
     const CellValue* const row =
-        grid.cells().data() + grid.box().FlatIndex({known_.min.x, known_.min.y + y});
+        grid.cells().data() + static_cast<std::ptrdiff_t>(y) * known_.width;
     for (int x = 0; x < known_.width; ++x) {
       if (IsSeen(row[x])) at(x / kCellsPerBlock, y / kCellsPerBlock) = 0;
     }

@@ -6,6 +6,10 @@
 
 namespace loopscope {
 
+bool operator==(const CellBox& a, const CellBox& b) {
+  return a.min == b.min && a.width == b.width && a.height == b.height;
+}
+
 CellBox Union(const CellBox& a, const CellBox& b) {
   if (a.empty()) return b;
   if (b.empty()) return a;

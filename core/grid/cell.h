@@ -45,6 +45,8 @@ struct CellBox {
   int FlatIndex(CellIndex cell) const { return (cell.y - min.y) * width + (cell.x - min.x); }
 };
 
+bool operator==(const CellBox& a, const CellBox& b);
+
 /// The smallest box that holds both; an empty box holds nothing.
 CellBox Union(const CellBox& a, const CellBox& b);
 

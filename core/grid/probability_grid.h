@@ -22,6 +22,7 @@ class ProbabilityGrid {
       : resolution_(resolution), box_(box), cells_(std::move(cells)) {}
 
   double resolution() const { return resolution_; }
+  /// Of a grid of scans the smallest that holds all known cells, see ScanInserter.
   const CellBox& box() const { return box_; }
   /// Row-major over box(), lowest y first.
   const std::vector<CellValue>& cells() const { return cells_; }
@@ -42,9 +43,6 @@ class ProbabilityGrid {
 
   /// Applies one observation to each of `cells`, which the box must hold.
   void Update(const std::vector<CellIndex>& cells, const OddsUpdate& update);
-
-  /// The smallest box that holds all known cells.
-  CellBox KnownBox() const;
 
  private:
   double resolution_;

@@ -8,7 +8,7 @@ ScanInserter::ScanInserter(const ScanInserterOptions& options)
     : options_(options), hit_(options.hit_probability), miss_(options.miss_probability) {}
 
 void ScanInserter::Insert(const ScanCells& cells, ProbabilityGrid* grid) const {
-  grid->GrowToInclude(cells.box);
+  grid->GrowToInclude(options_.insert_free_space ? cells.box : BoxOf(cells.hits));
   grid->Update(cells.hits, hit_);
   if (options_.insert_free_space) grid->Update(cells.misses, miss_);
 }

@@ -72,14 +72,12 @@ PrecomputedGrid::PrecomputedGrid(const CellBox& box, int height)
   assert(values_.size() < std::numeric_limits<std::int32_t>::max());
 }
 
-PrecomputedGrid::PrecomputedGrid(const ProbabilityGrid& grid)
-    : PrecomputedGrid(grid.KnownBox(), 0) {
+PrecomputedGrid::PrecomputedGrid(const ProbabilityGrid& grid) : PrecomputedGrid(grid.box(), 0) {
   const ByteTable& bytes = Bytes();
   std::vector<std::uint8_t> line(box_.width);
   std::vector<std::uint8_t> buffer;
   for (int y = 0; y < box_.height; ++y) {
-    const CellValue* from =
-        grid.cells().data() + grid.box().FlatIndex({box_.min.x, box_.min.y + y});
+    const CellValue* from = grid.cells().data() + static_cast<std::ptrdiff_t>(y) * box_.width;
     for (int x = 0; x < box_.width; ++x) line[x] = bytes[from[x]];
     SetRow(y, &line, &buffer);
   }

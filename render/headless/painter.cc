@@ -84,6 +84,7 @@ Picture Painter::Draw(const Scene& scene) {
     window_->ReadRows(y * factor, factor, rgba);
     shrinking.Shrink(rgba->GetPointer(0), picture.rgb.data() + (picture.height - 1 - y) * row_size);
   }
+  Clear(window_);  // whoever draws the next scene may change what this one showed
   return picture;
 }
 

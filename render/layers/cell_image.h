@@ -29,6 +29,8 @@ class CellImage {
 
   /// RGBA, row-major, lowest y first; of this image, not a copy. The box must not be empty.
   vtkImageData* vtk() const { return image_; }
+  /// Whether a layer or somebody else has the pixels, too.
+  bool IsShown() const { return image_ != nullptr && image_->GetReferenceCount() > 1; }
 
  private:
   CellBox box_;

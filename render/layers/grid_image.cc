@@ -20,7 +20,7 @@ MapColors DarkMapColors(const Palette& palette) {
 }
 
 CellImage GridImage(const ProbabilityGrid& grid, const MapColors& colors) {
-  const CellBox box = grid.KnownBox();
+  const CellBox& box = grid.box();
   CellImage image(box);
   for (int y = box.min.y; y < box.min.y + box.height; ++y) {
     for (int x = box.min.x; x < box.min.x + box.width; ++x) {

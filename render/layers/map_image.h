@@ -7,28 +7,14 @@
 #include <vtkActor.h>
 #include <vtkSmartPointer.h>
 
-#include "core/grid/probability_grid.h"
 #include "render/layers/cell_image.h"
 #include "render/layers/grid_image.h"
+#include "render/layers/log_odds_sum.h"
 #include "render/scene.h"
 
 namespace loopscope {
 
-/// A submap's grid and where it lies in the map.
-struct PlacedGrid {
-  std::shared_ptr<const ProbabilityGrid> grid;
-  Pose2 map_from_grid;
-};
-
-class LogOddsSum;
-
-/// Pixels over a map: pixel (x, y) is a square around origin + size * (x, y).
-struct Raster {
-  Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< [m]
-  double pixel_size = 0.05;                          ///< [m]
-  int width = 0;
-  int height = 0;
-};
+class MapMemory;
 
 /// The raster for a panel: its own pixels, or half cells of `resolution` where those are larger.
 Raster RasterFor(const FlatCamera& camera, const Box& frame, double resolution);
@@ -44,19 +30,15 @@ class MapComposer {
   MapComposer();
   ~MapComposer();
 
-  CellImage Compose(const std::vector<PlacedGrid>& grids, const Raster& raster,
-                    const MapColors& colors);
+  std::shared_ptr<const CellImage> Compose(const std::vector<PlacedGrid>& grids,
+                                           const Raster& raster, const MapColors& colors);
 
  private:
-  bool composed_ = false;            ///< any image
-  std::vector<PlacedGrid> kept_;     ///< those that sum_ holds
-  std::unique_ptr<LogOddsSum> sum_;  ///< null until the second image
+  bool composed_ = false;              ///< any image
+  std::unique_ptr<MapMemory> memory_;  ///< null until the second image
 };
 
 vtkSmartPointer<vtkActor> MapLayer(const std::vector<PlacedGrid>& grids, const Raster& raster,
                                    const MapColors& colors, MapComposer* composer);
-
-/// Where the known cells of the grid lie in the map; empty if there are none.
-Extent ExtentOf(const PlacedGrid& grid);
 
 }  // namespace loopscope

@@ -18,7 +18,7 @@ using Tag = Constraint::Tag;
 
 /// Corners of the box around the known cells, to the edges of the cells.
 std::vector<Eigen::Vector2d> KnownArea(const PlacedGrid& placed) {
-  const CellBox box = placed.grid->KnownBox();
+  const CellBox& box = placed.grid->box();
   if (box.empty()) return {};
   const double r = placed.grid->resolution();
   const Eigen::Vector2d min = CenterOf(box.min, r) - Eigen::Vector2d(0.5 * r, 0.5 * r);

@@ -55,7 +55,7 @@ LayerKeys KeysOf(const MapColors& colors, const Palette& palette) {
 Annotation Describe(const Recording& recording, const SubmapAt& submap) {
   const Submap& record = recording.submap(submap.id);
   const ProbabilityGrid& grid = *submap.grid.grid;
-  const CellBox box = grid.KnownBox();
+  const CellBox& box = grid.box();
   const double r = grid.resolution();
   const bool finished = record.finished_step >= 0 && record.finished_step <= submap.step;
   Annotation annotation;

@@ -10,6 +10,7 @@
 #include "core/io/recording_file.h"
 #include "core/simulation/random.h"
 #include "core/slam/slam.h"
+#include "render/film.h"
 #include "render/headless/painter.h"
 #include "tests/support/datasets.h"
 #include "tests/support/temporary_folder.h"
@@ -76,6 +77,38 @@ void BM_Seek(benchmark::State& state) {
   }
 }
 BENCHMARK(BM_Seek)
+    ->ArgName("drawn")
+    ->Arg(0)
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
+/// One more frame of a film of 1920 x 1080, of the map of some 100 submaps and more, without its
+/// encoding.
+void BM_FilmFrame(benchmark::State& state) {
+  const Run* const run = IntelRun(state);
+  if (run == nullptr) return;
+  const bool draws = state.range(0) != 0;
+  DerivedCache cache(run->recording);
+  Painter painter(Backend::kOsmesa);
+  ViewRequest request;
+  request.width = 1920;
+  request.height = 1080;
+  const int last = run->recording.num_steps() - 1;
+  request = WithCameraOf(&cache, request, last);
+  const int first = last * 4 / 5;
+  int step = first;
+  const auto draw_next = [&] {
+    request.step = step;
+    step = step < last ? step + 1 : first;
+    const Scene scene = BuildScene(&cache, request, OversamplingOf(request));
+    if (draws) benchmark::DoNotOptimize(painter.Draw(scene));
+  };
+  for (int i = 0; i < 3; ++i) draw_next();  // until all is remembered
+  for (auto _ : state) draw_next();
+}
+BENCHMARK(BM_FilmFrame)
     ->ArgName("drawn")
     ->Arg(0)
     ->Arg(1)

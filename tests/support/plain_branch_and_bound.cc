@@ -113,7 +113,7 @@ class PlainSearch {
 }  // namespace
 
 PlainPrecomputedGrids::PlainPrecomputedGrids(const ProbabilityGrid& grid, int depth) {
-  const CellBox known = grid.KnownBox();
+  const CellBox known = grid.box();
   for (int height = 0; height < depth; ++height) {
     const int side = 1 << height;
     Level level{{{known.min.x - side + 1, known.min.y - side + 1},

@@ -82,35 +82,5 @@ TEST(ProbabilityGrid, DoesNotGrowForABoxThatItHolds) {
   EXPECT_EQ(grid.box().height, 2);
 }
 
-TEST(KnownBox, HoldsTheKnownCellsAndNoMore) {
-  ProbabilityGrid grid = GridDrawn({"        ",  //
-                                    "    7   ",  //
-                                    "        ",  //
-                                    "  1     ",  //
-                                    "     4  ",  //
-                                    "        "},
-                                   0.05, {-50, 30});
-  grid.GrowToInclude({{-70, 10}, 50, 60});
-  const CellBox known = grid.KnownBox();
-  EXPECT_EQ(known.min, (CellIndex{-48, 31}));
-  EXPECT_EQ(known.width, 4);
-  EXPECT_EQ(known.height, 4);
-}
-
-TEST(KnownBox, MayBeASingleCell) {
-  ProbabilityGrid grid = GridDrawn({"7"}, 0.05, {3, -4});
-  grid.GrowToInclude({{-5, -5}, 20, 20});
-  const CellBox known = grid.KnownBox();
-  EXPECT_EQ(known.min, (CellIndex{3, -4}));
-  EXPECT_EQ(known.num_cells(), 1);
-}
-
-TEST(KnownBox, IsEmptyIfNothingIsKnown) {
-  ProbabilityGrid grid(0.05);
-  EXPECT_TRUE(grid.KnownBox().empty());
-  grid.GrowToInclude({{0, 0}, 5, 5});
-  EXPECT_TRUE(grid.KnownBox().empty());
-}
-
 }  // namespace
 }  // namespace loopscope

@@ -47,6 +47,8 @@ TEST(ScanInserter, LeavesFreeSpaceUnknownIfToldSo) {
   ScanInserter({0.7, 0.4, false}).Insert(kCells, &grid);
   EXPECT_EQ(Draw(grid, kBox), ToText({"   7",  //
                                       "   7"}));
+  EXPECT_EQ(grid.box().min, (CellIndex{3, 0})) << "no larger than what is known";
+  EXPECT_EQ(grid.box().num_cells(), 2);
 }
 
 TEST(ScanInserter, UpdatesACellOnceAScanHoweverManyBeamsMeetIt) {

@@ -184,7 +184,7 @@ TEST(SearchWholeSubmap, CoversAllKnownCellsAndAllAngles) {
     SearchTrace trace;
     BranchAndBoundMatcher(world.grid, 6).SearchWholeSubmap(world.points_in_scan, 0.9, &trace);
     const SearchWindow& window = trace.window;
-    const CellBox known = world.grid.KnownBox();
+    const CellBox known = world.grid.box();
     const Eigen::Vector2d reach = Eigen::Vector2d::Constant(0.05 * window.num_linear_steps + 1e-9);
     const Eigen::Vector2d guess = window.submap_from_scan_guess.translation;
     const Eigen::Vector2d low = CenterOf(known.min, 0.05);

@@ -41,7 +41,7 @@ TEST(CellHistoryTest, NamesTheNodesWhoseCellsHoldTheCell) {
         CellsOfNode(SmallLoop(), kSubmap, NodeId{submap.first_node.index + i}));
   }
   int num_hits = 0;
-  for (const CellIndex cell : SomeCellsOf(GridOfSubmap(SmallLoop(), kSubmap).KnownBox())) {
+  for (const CellIndex cell : SomeCellsOf(GridOfSubmap(SmallLoop(), kSubmap).box())) {
     std::vector<std::pair<int, bool>> expected;
     for (int i = 0; i < submap.num_nodes; ++i) {
       const bool is_hit = Holds(cells_of_nodes[i].hits, cell);
@@ -63,7 +63,7 @@ TEST(CellHistoryTest, EndsWithTheOddsOfTheGrid) {
   for (const int num_nodes : {0, 1, 5, 16}) {
     const CellHistory history(SmallLoop(), kSubmap, num_nodes);
     const ProbabilityGrid grid = GridOfSubmap(SmallLoop(), kSubmap, num_nodes);
-    for (const CellIndex cell : SomeCellsOf(GridOfSubmap(SmallLoop(), kSubmap).KnownBox())) {
+    for (const CellIndex cell : SomeCellsOf(GridOfSubmap(SmallLoop(), kSubmap).box())) {
       const auto writes = history.WritesOf(cell);
       ASSERT_EQ(writes.empty(), !grid.known(cell));
       if (writes.empty()) continue;

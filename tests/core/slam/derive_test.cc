@@ -35,10 +35,8 @@ bool LiesIn(const Submap& submap, int node) {
 }
 
 void ExpectSameGrid(const ProbabilityGrid& a, const ProbabilityGrid& b) {
-  const CellBox box = a.KnownBox();
-  EXPECT_EQ(box.min, b.KnownBox().min);
-  EXPECT_EQ(box.width, b.KnownBox().width);
-  EXPECT_EQ(box.height, b.KnownBox().height);
+  const CellBox& box = a.box();
+  EXPECT_TRUE(box == b.box());
   int num_different = 0;
   for (int y = box.min.y; y < box.min.y + box.height; ++y) {
     for (int x = box.min.x; x < box.min.x + box.width; ++x) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/layers/map_image.h"
 
+#include <vtkTexture.h>
+
 #include <gtest/gtest.h>
 
 #include "tests/render/layers/layer_data.h"
@@ -51,12 +53,12 @@ TEST_P(MapComposerTest, NoTurnBreaksAWallOrTearsAHole) {
   for (double turn = 0.0; turn < M_PI; turn += 0.1) {
     const Pose2 map_from_grid(0.01, -0.02, turn);
     const Raster raster = RasterOf(1.2, pixel_size);
-    const CellImage image = MapComposer().Compose({{WallGrid(), map_from_grid}}, raster, kColors);
+    const auto image = MapComposer().Compose({{WallGrid(), map_from_grid}}, raster, kColors);
     for (int y = 0; y < raster.height; ++y) {
-      for (int x = 0; x < raster.width; ++x) ASSERT_EQ(image.At({x, y}).a, 255) << turn;
+      for (int x = 0; x < raster.width; ++x) ASSERT_EQ(image->At({x, y}).a, 255) << turn;
     }
     // Along the wall every pixel is dark: at least one for each step of the raster.
-    EXPECT_GE(NumDark(image), 1.2 / pixel_size - 2.0) << turn;
+    EXPECT_GE(NumDark(*image), 1.2 / pixel_size - 2.0) << turn;
   }
 }
 
@@ -68,10 +70,10 @@ TEST(MapComposerSingleTest, PutsAGridAtItsPose) {
   grid->GrowToInclude({{0, 0}, 1, 1});
   grid->Update({{0, 0}}, OddsUpdate(kMaxProbability));
   const Raster raster{{0.0, 0.0}, kResolution, 40, 40};
-  const CellImage image = MapComposer().Compose({{grid, Pose2(1.0, 0.5, 0.3)}}, raster, kColors);
-  EXPECT_EQ(image.At({20, 10}), (Color{0, 0, 0}));
-  EXPECT_EQ(image.At({21, 12}).a, 0);
-  EXPECT_EQ(NumDark(image), 1);
+  const auto image = MapComposer().Compose({{grid, Pose2(1.0, 0.5, 0.3)}}, raster, kColors);
+  EXPECT_EQ(image->At({20, 10}), (Color{0, 0, 0}));
+  EXPECT_EQ(image->At({21, 12}).a, 0);
+  EXPECT_EQ(NumDark(*image), 1);
 }
 
 TEST(MapComposerSingleTest, MultipliesTheOddsOfOverlappingGrids) {
@@ -81,20 +83,20 @@ TEST(MapComposerSingleTest, MultipliesTheOddsOfOverlappingGrids) {
                                         {WallGrid(), Pose2(0.0, 0.0, DegreesToRadians(90.0))}};
   const Raster raster = RasterOf(1.05, kResolution);
   const CellIndex on_wall{3, 10};
-  EXPECT_LT(MapComposer().Compose(two, raster, kColors).At(on_wall).r,
-            MapComposer().Compose(one, raster, kColors).At(on_wall).r);
+  EXPECT_LT(MapComposer().Compose(two, raster, kColors)->At(on_wall).r,
+            MapComposer().Compose(one, raster, kColors)->At(on_wall).r);
   // Odds of 4 and of 1/4 cancel.
-  EXPECT_NEAR(MapComposer().Compose(crossed, raster, kColors).At(on_wall).r, 127, 2);
+  EXPECT_NEAR(MapComposer().Compose(crossed, raster, kColors)->At(on_wall).r, 127, 2);
 }
 
 TEST(MapComposerSingleTest, LooksTheSameHoweverManyGridsThereAreElsewhere) {
   std::vector<PlacedGrid> grids;
   for (int i = 0; i < 10; ++i) grids.push_back({WallGrid(), Pose2(5.0 * i, 0.0, 0.2 * i)});
   const Raster raster = RasterOf(1.5, kResolution);
-  const CellImage all = MapComposer().Compose(grids, raster, kColors);
-  const CellImage one = MapComposer().Compose({grids[0]}, raster, kColors);
+  const auto all = MapComposer().Compose(grids, raster, kColors);
+  const auto one = MapComposer().Compose({grids[0]}, raster, kColors);
   for (int y = 0; y < raster.height; ++y) {
-    for (int x = 0; x < raster.width; ++x) ASSERT_EQ(all.At({x, y}), one.At({x, y}));
+    for (int x = 0; x < raster.width; ++x) ASSERT_EQ(all->At({x, y}), one->At({x, y}));
   }
 }
 
@@ -111,13 +113,31 @@ TEST(MapComposerSingleTest, RemembersNothingThatIsNotSoAnyMore) {
   for (const double cells_per_pixel : {0.5, 1.0}) {
     const Raster raster = RasterOf(1.5, cells_per_pixel * kResolution);
     for (const auto& next : {fewer, grids, grids, grown, moved, fewer, {}, grids}) {
-      const CellImage image = composer.Compose(next, raster, kColors);
-      const CellImage expected = MapComposer().Compose(next, raster, kColors);
+      const auto image = composer.Compose(next, raster, kColors);
+      const auto expected = MapComposer().Compose(next, raster, kColors);
       for (int y = 0; y < raster.height; ++y) {
-        for (int x = 0; x < raster.width; ++x) ASSERT_EQ(image.At({x, y}), expected.At({x, y}));
+        for (int x = 0; x < raster.width; ++x) ASSERT_EQ(image->At({x, y}), expected->At({x, y}));
       }
     }
   }
+}
+
+TEST(MapComposerSingleTest, ChangesNoImageThatSomebodyHas) {
+  std::vector<PlacedGrid> grids{{WallGrid(), Pose2()}};
+  const Raster raster = RasterOf(1.5, kResolution);
+  MapComposer composer;
+  composer.Compose(grids, raster, kColors);
+  const auto image = composer.Compose(grids, raster, kColors);
+  const auto layer =
+      CellImageLayer(*composer.Compose(grids, raster, kColors), Pose2(), kResolution);
+  vtkImageData* const shown = layer->GetTexture()->GetInput();
+  const auto* const pixel = static_cast<const Color*>(shown->GetScalarPointer(15, 15, 0));
+  const Color before = *pixel;
+  EXPECT_EQ(image->At({15, 15}), before);
+  grids[0].map_from_grid = Pose2(0.0, 0.3, 0.0);
+  composer.Compose(grids, raster, kColors);
+  EXPECT_EQ(*pixel, before);
+  EXPECT_EQ(image->At({15, 15}), before);
 }
 
 TEST(RasterForTest, HasThePixelsOfThePanelWhereTheyAreLarge) {

@@ -52,7 +52,7 @@ TEST(HighlightOfTest, TheBoxOfASubmapHoldsItsKnownCells) {
   const Highlight highlight = Select(-1, 3);
   ASSERT_EQ(highlight.known_area.size(), 4u);
   const ProbabilityGrid grid = GridOfSubmap(SmallLoop(), SubmapId{3});
-  const CellBox box = grid.KnownBox();
+  const CellBox box = grid.box();
   const Pose2 submap_from_global = highlight.global_from_submap.Inverse();
   const Eigen::Vector2d min = submap_from_global * highlight.known_area[0];
   const Eigen::Vector2d max = submap_from_global * highlight.known_area[2];
