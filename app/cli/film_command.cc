@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdlib>
 #include <future>
+#include <malloc.h>
 #include <memory>
 #include <string>
 #include <utility>
@@ -26,6 +27,14 @@ struct FilmArguments {
   double frames_per_second = 25.0;
   ViewArguments view;
 };
+
+/// Each frame takes the same large blocks of memory again. To give them back to the system in
+/// between cost a tenth of the time.
+void KeepFreedMemory() {
+  constexpr int kBytes = 512 << 20;
+  mallopt(M_MMAP_THRESHOLD, kBytes);
+  mallopt(M_TRIM_THRESHOLD, kBytes);
+}
 
 /// Returns the number of frames; fewer than there are steps if the user interrupted it.
 int Shoot(const Recording& recording, const FilmArguments& arguments, const StepRange& steps) {
@@ -56,7 +65,8 @@ int Shoot(const Recording& recording, const FilmArguments& arguments, const Step
 int RunFilm(const FilmArguments& arguments) {
   constexpr int kKeepIfSet = 0;
   setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", kKeepIfSet);  // we tell ourselves what went wrong
-  RequireFilmPath(arguments.output);                   // before the work begins
+  KeepFreedMemory();
+  RequireFilmPath(arguments.output);  // before the work begins
   const Recording recording = ReadRun(arguments.run);
   const StepRange steps = ParseStepRange(arguments.steps, recording.num_steps());
   const int num_frames = Shoot(recording, arguments, steps);

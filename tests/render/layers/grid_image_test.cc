@@ -14,7 +14,7 @@ constexpr double kResolution = 0.5;
 /// Cell (2, 3) almost surely occupied, (3, 3) almost surely free, (4, 4) as likely as not.
 ProbabilityGrid SmallGrid() {
   ProbabilityGrid grid(kResolution);
-  grid.GrowToInclude({{0, 0}, 10, 10});
+  grid.GrowToInclude({{2, 3}, 3, 2});
   grid.Update({{2, 3}}, OddsUpdate(kMaxProbability));
   grid.Update({{3, 3}}, OddsUpdate(kMinProbability));
   grid.Update({{4, 4}}, OddsUpdate(0.5));
@@ -37,7 +37,7 @@ TEST(GridImageTest, IsGreyInBetween) {
   EXPECT_EQ(grey.a, 255);
 }
 
-TEST(GridImageTest, CoversTheKnownCellsOnly) {
+TEST(GridImageTest, HasTheBoxOfTheGrid) {
   const CellBox box = GridImage(SmallGrid(), Colors()).box();
   EXPECT_EQ(box.min, (CellIndex{2, 3}));
   EXPECT_EQ(box.width, 3);
