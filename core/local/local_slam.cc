@@ -19,6 +19,10 @@ constexpr double kExpectedScoreGain = 0.05;
 /// The velocity of a robot that sets out tells little.
 constexpr int kNumScansUntilVelocityIsKnown = 20;
 
+/// Odometry is right again behind a jump, so that the scans ahead of it match where the one at it
+/// was, and not where odometry has that.
+constexpr int kNumScansThatTellAJump = 3;
+
 }  // namespace
 
 LocalSlam::LocalSlam(const ScanLog& log, const LocalSlamOptions& options)
@@ -96,15 +100,15 @@ Pose2 LocalSlam::SubmapFromBaseByVelocity(int scan, const ActiveSubmap& submap) 
          extrapolator_.PredictByVelocity(log_.scans[scan].time);
 }
 
-std::optional<double> LocalSlam::MinScoreRatioOfDoubt(const LocalSlamResult& result) const {
+std::optional<LocalSlam::Doubt> LocalSlam::DoubtIn(const Pose2& odom_from_base) const {
   if (num_matched_ < kNumScansUntilVelocityIsKnown) return std::nullopt;
-  double ratio = 0.0;
-  if (extrapolator_.StandsStill(*result.odom_from_base)) {
-    ratio = options_.standstill_min_score_ratio;
-  } else if (extrapolator_.IsUnusual(*result.odom_from_base)) {
-    ratio = options_.unusual_motion_min_score_ratio;
+  Doubt doubt;
+  if (extrapolator_.StandsStill(odom_from_base)) {
+    doubt = {options_.standstill_min_score_ratio, 0};
+  } else if (extrapolator_.IsUnusual(odom_from_base)) {
+    doubt = {options_.unusual_motion_min_score_ratio, kNumScansThatTellAJump};
   }
-  return ratio > 0.0 ? std::optional<double>(ratio) : std::nullopt;
+  return doubt.min_score_ratio > 0.0 ? std::optional<Doubt>(doubt) : std::nullopt;
 }
 
 ScanMatch LocalSlam::MatchWithoutOdometry(const PointCloud& points, int scan,
@@ -129,15 +133,40 @@ ScanMatch LocalSlam::MatchInDoubt(const PointCloud& points, int scan, const Loca
   }
   const ScanMatch match =
       MatchScan(points, submap.grid, PriorOf(scan, result, submap), expected_score_, options_);
-  const std::optional<double> min_score_ratio = MinScoreRatioOfDoubt(result);
-  if (!min_score_ratio) return match;
+  const std::optional<Doubt> doubt = DoubtIn(*result.odom_from_base);
+  if (!doubt) return match;
   ScanMatch without_odometry = MatchWithoutOdometry(points, scan, submap);
-  if (without_odometry.start == MatchStart::kNone ||
-      without_odometry.score < *min_score_ratio * match.score) {
-    return match;
-  }
+  if (without_odometry.start == MatchStart::kNone) return match;
+  const auto score = [&](const ScanMatch& at) {
+    return at.score + ScoreOfScansAhead(scan, at.submap_from_base, submap, doubt->num_scans_ahead);
+  };
+  if (score(without_odometry) < doubt->min_score_ratio * score(match)) return match;
   if (without_odometry.start == MatchStart::kPrior) without_odometry.start = MatchStart::kVelocity;
   return without_odometry;
+}
+
+double LocalSlam::ScoreOfScansAhead(int scan, const Pose2& submap_from_base,
+                                    const ActiveSubmap& submap, int num_scans) const {
+  PoseExtrapolator extrapolator = extrapolator_;
+  const auto add_pose = [&](int at, const Pose2& local_from_base) {
+    extrapolator.AddPose(log_.scans[at].time, local_from_base, OdometryOf(at), MotionKnowledge());
+  };
+  add_pose(scan, submap.local_from_submap * submap_from_base);
+  const int end = std::min(scan + 1 + num_scans, static_cast<int>(log_.scans.size()));
+  double sum = 0.0;
+  for (int ahead = scan + 1; ahead < end; ++ahead) {
+    Pose2 local_from_base = extrapolator.Predict(log_.scans[ahead].time, OdometryOf(ahead));
+    if (const auto points = PointsToMatch(PrepareRangeData(log_, ahead, options_))) {
+      constexpr double kAnyScore = 0.0;
+      const ScanMatch match = MatchScan(
+          *points, submap.grid, {submap.local_from_submap.Inverse() * local_from_base, true},
+          kAnyScore, options_);
+      sum += match.score;
+      local_from_base = submap.local_from_submap * match.submap_from_base;
+    }
+    add_pose(ahead, local_from_base);
+  }
+  return sum;
 }
 
 std::optional<Pose2> LocalSlam::PlaceByScansAhead(int scan, const ActiveSubmap& submap) const {

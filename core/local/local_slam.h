@@ -42,15 +42,23 @@ class LocalSlam {
   std::optional<Pose2> OdometryOf(int scan) const;
   MatchPrior PriorOf(int scan, const LocalSlamResult& result, const ActiveSubmap& submap) const;
   Pose2 SubmapFromBaseByVelocity(int scan, const ActiveSubmap& submap) const;
-  /// How many times as much the scan must score without odometry for that to be disbelieved;
-  /// nothing if there is no reason to doubt odometry, which there must be.
-  std::optional<double> MinScoreRatioOfDoubt(const LocalSlamResult& result) const;
+  /// What is asked of a match without odometry, where that is doubted.
+  struct Doubt {
+    double min_score_ratio = 0.0;  ///< how many times as much as with odometry it must score,
+    int num_scans_ahead = 0;       ///< together with so many scans ahead
+  };
+  /// Nothing if there is no reason to doubt odometry, which there must be.
+  std::optional<Doubt> DoubtIn(const Pose2& odom_from_base) const;
   /// Where the scan matches whatever odometry says.
   ScanMatch MatchWithoutOdometry(const PointCloud& points, int scan,
                                  const ActiveSubmap& submap) const;
   /// Where odometry has the scan, or if that is doubtful, where it matches without.
   ScanMatch MatchInDoubt(const PointCloud& points, int scan, const LocalSlamResult& result,
                          const ActiveSubmap& submap) const;
+  /// The scores, summed, of `num_scans` scans behind `scan` where odometry leads to from
+  /// `submap_from_base`, where `scan` would have been.
+  double ScoreOfScansAhead(int scan, const Pose2& submap_from_base, const ActiveSubmap& submap,
+                           int num_scans) const;
   /// Where scan `scan` was, which matches nowhere in `submap`: between the scan before it and the
   /// first of those ahead that does match there.
   std::optional<Pose2> PlaceByScansAhead(int scan, const ActiveSubmap& submap) const;

@@ -19,6 +19,10 @@ class PastMotions {
   /// Whether there are twenty of them, and they are so long that the velocity says little.
   bool SayMoreThanVelocity() const;
 
+  /// Whether one of the last three hundred differed from `motion` by no more than three quarters of
+  /// the usual way, and 18 deg, in all. There must be one at least.
+  bool HaveOneLike(const Pose2& motion) const;
+
   /// There must be one at least. The last three hundred count.
   MotionPrior Prior(double exponent) const { return MotionPrior(motions_, exponent); }
 

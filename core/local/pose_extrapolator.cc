@@ -28,6 +28,13 @@ Pose2 PoseExtrapolator::PredictByVelocity(double time) const {
   return last_->local_from_base * Pose2(stretch * velocity_, stretch * LastMotion().rotation);
 }
 
+bool PoseExtrapolator::IsUnusual(const Pose2& odom_from_base) const {
+  if (!HasOdometry()) return false;
+  const Pose2 motion = last_->odom_from_base->Inverse() * odom_from_base;
+  return usual_motion_.IsExceededBy(motion) ||
+         (past_motions_.SayMoreThanVelocity() && !past_motions_.HaveOneLike(motion));
+}
+
 Pose2 PoseExtrapolator::LastMotion() const {
   return before_last_->local_from_base.Inverse() * last_->local_from_base;
 }

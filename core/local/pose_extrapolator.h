@@ -49,11 +49,9 @@ class PoseExtrapolator {
     return last_ && last_->odom_from_base == odom_from_base;
   }
 
-  /// Whether odometry measured a motion since the last pose that it hardly ever measures.
-  bool IsUnusual(const Pose2& odom_from_base) const {
-    return HasOdometry() &&
-           usual_motion_.IsExceededBy(last_->odom_from_base->Inverse() * odom_from_base);
-  }
+  /// Whether odometry measured a motion since the last pose that it hardly ever measures, or, in
+  /// sparse logs, one that the robot never made.
+  bool IsUnusual(const Pose2& odom_from_base) const;
 
   /// All that were known.
   const PastMotions& past_motions() const { return past_motions_; }

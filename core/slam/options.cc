@@ -23,7 +23,7 @@ Options LoopscopePreset() {
   local.second_prior_relative_score = 0.8;
   local.max_changed_share_at_standstill = 0.25;
   local.standstill_min_score_ratio = 1.02;
-  local.unusual_motion_min_score_ratio = 1.2;
+  local.unusual_motion_min_score_ratio = 1.1;
   local.past_motions_weight = 0.05;
   local.recovery.min_relative_score = 0.6;
   local.recovery.linear_search_window = 2.0;

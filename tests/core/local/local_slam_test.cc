@@ -254,6 +254,24 @@ TEST(LocalSlam, IsLostAfterAnOdometryJumpOf85DegreesIfItOnlyBelievesOdometry) {
       << "it does not match ten times as well elsewhere";
 }
 
+TEST(LocalSlam, BelievesOdometryOfAnUnusualMotionIfTheScansAheadDo) {
+  // The robot goes 3 m on where it had always gone 0.8 m, and the scan there is that of before.
+  SimulationOptions simulation_options;
+  simulation_options.scan_period = 1.0;
+  Simulation simulation = Simulate(SmallLoopWorld(), simulation_options);
+  constexpr int kLeap = 30;
+  std::vector<LaserScan>& scans = simulation.log.scans;
+  scans.erase(scans.begin() + kLeap, scans.begin() + kLeap + 3);
+  scans.resize(kLeap + 4);
+  scans[kLeap].ranges = scans[kLeap - 1].ranges;
+  LocalSlamOptions options = SmallLoopOptions().trajectory_builder_2d;
+  options.recovery.min_relative_score = 0.0;
+  options.second_prior_relative_score = 0.0;
+  const auto results = AddAllScans(simulation.log, options);
+  EXPECT_THAT(Motion(results, kLeap - 1, kLeap),
+              PoseNear(TrueMotion(simulation, kLeap - 1, kLeap), 0.5, DegreesToRadians(5.0)));
+}
+
 constexpr int kNumScansInCrowd = 4;
 
 /// From kJumpScan on some scans see people close around the robot and nothing else, while odometry

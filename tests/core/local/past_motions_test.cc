@@ -32,5 +32,17 @@ TEST(PastMotions, ForgetAllButTheLastThreeHundred) {
   EXPECT_FALSE(motions.SayMoreThanVelocity());
 }
 
+TEST(PastMotions, KnowWhatIsLikeOneOfThem) {
+  PastMotions motions = Motions(20, Pose2(1.0, 0.0, 0.0));
+  EXPECT_TRUE(motions.HaveOneLike(Pose2(1.0, 0.0, 0.0)));
+  EXPECT_TRUE(motions.HaveOneLike(Pose2(0.3, 0.0, 0.0)));
+  EXPECT_FALSE(motions.HaveOneLike(Pose2(0.2, 0.0, 0.0)));
+  EXPECT_TRUE(motions.HaveOneLike(Pose2(1.0, 0.0, DegreesToRadians(-17.0))));
+  EXPECT_FALSE(motions.HaveOneLike(Pose2(1.0, 0.0, DegreesToRadians(19.0))));
+  EXPECT_FALSE(motions.HaveOneLike(Pose2(0.4, 0.0, DegreesToRadians(15.0)))) << "both in all";
+  motions.Learn(Pose2(0.0, 0.0, DegreesToRadians(175.0)));
+  EXPECT_TRUE(motions.HaveOneLike(Pose2(0.0, 0.0, DegreesToRadians(-175.0)))) << "the short way";
+}
+
 }  // namespace
 }  // namespace loopscope

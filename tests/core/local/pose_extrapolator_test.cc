@@ -165,5 +165,20 @@ TEST(PoseExtrapolator, RemembersTheMotionsThatWereKnown) {
   EXPECT_FALSE(drive({false, false}));
 }
 
+TEST(PoseExtrapolator, DoubtsMotionsThatTheRobotNeverMadeWhereScansAreSparse) {
+  const auto is_unusual_after = [](double way) {
+    PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);
+    const Pose2 last(20.0 * way, 0.0, 0.0);
+    for (int i = 0; i <= 20; ++i) {
+      const Pose2 pose(way * i, 0.0, 0.0);
+      extrapolator.AddPose(i, pose, pose, kKnown);
+    }
+    return extrapolator.IsUnusual(last * Pose2(3.0, 0.0, 0.0));
+  };
+  EXPECT_TRUE(is_unusual_after(1.0));
+  EXPECT_FALSE(is_unusual_after(3.0));
+  EXPECT_FALSE(is_unusual_after(0.1)) << "with many scans a metre the velocity tells as much";
+}
+
 }  // namespace
 }  // namespace loopscope
