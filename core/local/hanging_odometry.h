@@ -6,11 +6,6 @@
 
 namespace loopscope {
 
-/// Of the beams that came back in both scans, the share that came back from elsewhere: from more
-/// than 0.1 m or 2 % of the distance away. Of a robot that rests it is some percent, for noise at
-/// edges and for people; 0 if there are too few such beams to tell.
-double ShareOfChangedRanges(const LaserScan& before, const LaserScan& now);
-
 /// Whether odometry measured no motion at all since the scan before, though more than
 /// `max_changed_share` of what the scanner sees changed.
 bool OdometryHangs(const ScanLog& log, int scan, double max_changed_share);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/local/changed_ranges.h"
 #include "core/local/hanging_odometry.h"
 #include "core/local/scan_preparation.h"
 #include "core/local/shared_jump.h"
@@ -116,7 +117,9 @@ ScanMatch LocalSlam::MatchWithoutOdometry(const PointCloud& points, int scan,
   const Pose2 submap_from_base_before =
       submap.local_from_submap.Inverse() * extrapolator_.LastPose();
   const PastMotions& motions = extrapolator_.past_motions();
-  if (options_.past_motions_weight > 0.0 && motions.SayMoreThanVelocity()) {
+  const bool is_far_from_before =
+      motions.SayMoreThanVelocity() || (motions.AreFew() && ShowsAnotherPlace(log_, scan));
+  if (options_.past_motions_weight > 0.0 && is_far_from_before) {
     return MatchAsBefore(points, submap.grid, submap_from_base_before,
                          motions.Prior(options_.past_motions_weight), expected_score_, options_);
   }

@@ -3,6 +3,7 @@
 #include "core/local/past_motions.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace loopscope {
 namespace {
@@ -17,6 +18,18 @@ constexpr double kLongTurn = 0.1;  // [rad]
 constexpr double kLikeShareOfWay = 0.75;
 constexpr double kLikeTurn = DegreesToRadians(18.0);
 
+/// Ahead in the direction between the first heading and the last.
+std::vector<Pose2> MotionsOfAnyRobot() {
+  std::vector<Pose2> motions;
+  for (double degrees = -60.0; degrees <= 60.0; degrees += 10.0) {
+    const double turn = DegreesToRadians(degrees);
+    for (double way = 0.0; way <= 2.0; way += 0.25) {
+      motions.emplace_back(way * std::cos(0.5 * turn), way * std::sin(0.5 * turn), turn);
+    }
+  }
+  return motions;
+}
+
 }  // namespace
 
 void PastMotions::Learn(const Pose2& motion) {
@@ -28,9 +41,17 @@ void PastMotions::Learn(const Pose2& motion) {
   ++num_motions_;
 }
 
+bool PastMotions::AreFew() const { return motions_.size() < kLeastNumMotions; }
+
 bool PastMotions::SayMoreThanVelocity() const {
-  return motions_.size() >= kLeastNumMotions &&
-         (UsualWay(motions_) >= kLongWay || UsualTurn(motions_) >= kLongTurn);
+  return !AreFew() && (UsualWay(motions_) >= kLongWay || UsualTurn(motions_) >= kLongTurn);
+}
+
+MotionPrior PastMotions::Prior(double exponent) const {
+  if (!AreFew()) return MotionPrior(motions_, exponent);
+  std::vector<Pose2> motions = MotionsOfAnyRobot();
+  motions.insert(motions.end(), motions_.begin(), motions_.end());
+  return MotionPrior(motions, exponent);
 }
 
 bool PastMotions::HaveOneLike(const Pose2& motion) const {

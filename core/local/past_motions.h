@@ -16,15 +16,19 @@ class PastMotions {
  public:
   void Learn(const Pose2& motion);
 
-  /// Whether there are twenty of them, and they are so long that the velocity says little.
+  /// Whether there are fewer than twenty of them.
+  bool AreFew() const;
+
+  /// Whether they are not few, and so long that the velocity says little.
   bool SayMoreThanVelocity() const;
 
   /// Whether one of the last three hundred differed from `motion` by no more than three quarters of
   /// the usual way, and 18 deg, in all. There must be one at least.
   bool HaveOneLike(const Pose2& motion) const;
 
-  /// There must be one at least. The last three hundred count.
-  MotionPrior Prior(double exponent) const { return MotionPrior(motions_, exponent); }
+  /// The last three hundred count. While they are few, so do those that any robot on wheels might
+  /// make between scans that are far apart: 0 to 2 m ahead, and up to 60 deg to each side.
+  MotionPrior Prior(double exponent) const;
 
  private:
   std::vector<Pose2> motions_;  ///< the last of them, in no order

@@ -174,6 +174,24 @@ TEST(LocalSlam, GoesOnByTheMotionsBeforeWhereScansAreSparse) {
               Not(PoseNear(truth, 0.5, DegreesToRadians(20.0))));
 }
 
+TEST(LocalSlam, FollowsSparseScansWithoutOdometryFromTheFirstOn) {
+  SimulationOptions simulation_options;
+  simulation_options.scan_period = 1.5;  // 1.2 m
+  simulation_options.lidar.beams = {361, -M_PI, DegreesToRadians(1.0)};
+  const Simulation simulation = Simulate(SmallLoopWorld(), simulation_options);
+  ScanLog log = simulation.log;
+  constexpr int kLast = 15;
+  log.scans.resize(kLast + 1);
+  LocalSlamOptions options = SmallLoopOptions().trajectory_builder_2d;
+  options.use_odometry = false;
+  const Pose2 truth = TrueMotion(simulation, 0, kLast);
+  EXPECT_THAT(Motion(AddAllScans(log, options), 0, kLast),
+              PoseNear(truth, 0.1, DegreesToRadians(2.0)));
+  options.past_motions_weight = 0.0;
+  EXPECT_THAT(Motion(AddAllScans(log, options), 0, kLast),
+              Not(PoseNear(truth, 0.5, DegreesToRadians(20.0))));
+}
+
 TEST(LocalSlam, TellsWhatItKnowsOfTheMotion) {
   Simulation simulation = FirstScans(kJumpScan + 1);
   JumpOdometry(kJumpScan, DegreesToRadians(85.0), &simulation.log);

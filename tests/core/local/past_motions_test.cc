@@ -44,5 +44,22 @@ TEST(PastMotions, KnowWhatIsLikeOneOfThem) {
   EXPECT_TRUE(motions.HaveOneLike(Pose2(0.0, 0.0, DegreesToRadians(-175.0)))) << "the short way";
 }
 
+TEST(PastMotions, AreThoseOfAnyRobotUntilThereAreTwenty) {
+  const auto weight = [](const PastMotions& motions, const Pose2& motion) {
+    const MotionPrior prior = motions.Prior(1.0);
+    return prior.Weight(*prior.PlaceBin(motion.translation), *prior.TurnBin(motion.rotation));
+  };
+  const Pose2 ahead(1.5, 0.0, 0.0);
+  const Pose2 left(0.0, 0.0, DegreesToRadians(50.0));
+  const Pose2 sideways(0.0, 1.5, 0.0);
+  for (const int num_motions : {0, 19}) {
+    const PastMotions few = Motions(num_motions, Pose2(1.0, 0.0, 0.0));
+    EXPECT_GT(weight(few, ahead), 0.01F);
+    EXPECT_GT(weight(few, left), 0.01F);
+    EXPECT_LT(weight(few, sideways), 0.001F);
+  }
+  EXPECT_LT(weight(Motions(20, Pose2(1.0, 0.0, 0.0)), left), 0.001F);
+}
+
 }  // namespace
 }  // namespace loopscope
