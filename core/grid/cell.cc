@@ -20,8 +20,9 @@ CellBox Union(const CellBox& a, const CellBox& b) {
 
 CellBox Intersection(const CellBox& a, const CellBox& b) {
   const CellIndex min{std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)};
-  return {min, std::min(a.min.x + a.width, b.min.x + b.width) - min.x,
-          std::min(a.min.y + a.height, b.min.y + b.height) - min.y};
+  const CellBox both{min, std::min(a.min.x + a.width, b.min.x + b.width) - min.x,
+                     std::min(a.min.y + a.height, b.min.y + b.height) - min.y};
+  return both.empty() ? CellBox() : both;
 }
 
 CellBox BoxOf(const std::vector<CellIndex>& cells) {

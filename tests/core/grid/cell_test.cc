@@ -74,6 +74,11 @@ TEST(Intersection, HoldsTheCellsOfBothBoxes) {
   EXPECT_TRUE(Intersection({{0, 0}, 4, 5}, {{0, -7}, 3, 3}).empty());
 }
 
+TEST(Intersection, IsNeverInsideOut) {
+  EXPECT_TRUE(Intersection({{0, 0}, 2, 2}, {{5, 9}, 3, 3}) == CellBox());
+  EXPECT_TRUE(Intersection({{0, 0}, 2, 2}, {{5, 1}, 3, 3}) == CellBox());
+}
+
 TEST(BoxOf, HoldsTheCellsAndNoMore) {
   ExpectBox(BoxOf({{4, -2}, {-1, 7}, {0, 0}}), {-1, -2}, 6, 10);
   ExpectBox(BoxOf({{4, -2}}), {4, -2}, 1, 1);

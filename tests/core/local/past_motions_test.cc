@@ -42,6 +42,7 @@ TEST(PastMotions, KnowWhatIsLikeOneOfThem) {
   EXPECT_FALSE(motions.HaveOneLike(Pose2(0.4, 0.0, DegreesToRadians(15.0)))) << "both in all";
   motions.Learn(Pose2(0.0, 0.0, DegreesToRadians(175.0)));
   EXPECT_TRUE(motions.HaveOneLike(Pose2(0.0, 0.0, DegreesToRadians(-175.0)))) << "the short way";
+  EXPECT_TRUE(Motions(20, Pose2(0.0, 0.0, 0.5)).HaveOneLike(Pose2(0.1, 0.0, 0.5))) << "on the spot";
 }
 
 TEST(PastMotions, AreThoseOfAnyRobotUntilThereAreTwenty) {

@@ -122,6 +122,19 @@ TEST(MapComposerSingleTest, RemembersNothingThatIsNotSoAnyMore) {
   }
 }
 
+TEST(MapComposerSingleTest, IsEmptyWhereThereIsNoGrid) {
+  const std::vector<PlacedGrid> elsewhere{{WallGrid(), Pose2(50.0, -20.0, 0.3)}};
+  for (const double cells_per_pixel : {0.5, 1.0}) {
+    MapComposer composer;
+    for (int image = 0; image < 3; ++image) {
+      EXPECT_TRUE(
+          composer.Compose(elsewhere, RasterOf(1.5, cells_per_pixel * kResolution), kColors)
+              ->box()
+              .empty());
+    }
+  }
+}
+
 TEST(MapComposerSingleTest, ChangesNoImageThatSomebodyHas) {
   std::vector<PlacedGrid> grids{{WallGrid(), Pose2()}};
   const Raster raster = RasterOf(1.5, kResolution);
