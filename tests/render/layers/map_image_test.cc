@@ -123,7 +123,7 @@ TEST(MapComposerSingleTest, RemembersNothingThatIsNotSoAnyMore) {
 }
 
 TEST(MapComposerSingleTest, IsEmptyWhereThereIsNoGrid) {
-  const std::vector<PlacedGrid> elsewhere{{WallGrid(), Pose2(50.0, -20.0, 0.3)}};
+  const std::vector<PlacedGrid> elsewhere{{WallGrid(), Pose2(50.0, 0.0, 0.3)}};
   for (const double cells_per_pixel : {0.5, 1.0}) {
     MapComposer composer;
     for (int image = 0; image < 3; ++image) {
