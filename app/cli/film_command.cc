@@ -29,7 +29,7 @@ struct FilmArguments {
 };
 
 /// Each frame takes the same large blocks of memory again. To give them back to the system in
-/// between cost a tenth of the time.
+/// between cost a fifth of the time.
 void KeepFreedMemory() {
   constexpr int kBytes = 512 << 20;
   mallopt(M_MMAP_THRESHOLD, kBytes);
