@@ -3,13 +3,15 @@
 //
 // Writes a CARMEN log that is worse than the one it reads, in one way, by the throw of a dice:
 //   worsen noise|drop|slip|turn|hang|jumps SEED LOG WORSE
-#include <cmath>
+#include <algorithm>
 #include <cstdlib>
+#include <exception>
 #include <functional>
 #include <iostream>
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/io/carmen_log.h"
 #include "core/io/carmen_writer.h"
@@ -117,4 +119,11 @@ int Run(int argc, char** argv) {
 }  // namespace
 }  // namespace loopscope
 
-int main(int argc, char** argv) { return loopscope::Run(argc, argv); }
+int main(int argc, char** argv) {
+  try {
+    return loopscope::Run(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << "worsen: " << error.what() << "\n";
+    return 2;
+  }
+}
