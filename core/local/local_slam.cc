@@ -148,6 +148,16 @@ ScanMatch LocalSlam::MatchInDoubt(const PointCloud& points, int scan, const Loca
   return without_odometry;
 }
 
+std::optional<ScanMatch> LocalSlam::MatchScanAhead(int scan, const Pose2& local_from_predicted,
+                                                   const ActiveSubmap& submap,
+                                                   double expected_score) const {
+  const auto points = PointsToMatch(PrepareRangeData(log_, scan, options_));
+  if (!points) return std::nullopt;
+  return MatchScan(*points, submap.grid,
+                   {submap.local_from_submap.Inverse() * local_from_predicted, true},
+                   expected_score, options_);
+}
+
 double LocalSlam::ScoreOfScansAhead(int scan, const Pose2& submap_from_base,
                                     const ActiveSubmap& submap, int num_scans) const {
   PoseExtrapolator extrapolator = extrapolator_;
@@ -159,13 +169,10 @@ double LocalSlam::ScoreOfScansAhead(int scan, const Pose2& submap_from_base,
   double sum = 0.0;
   for (int ahead = scan + 1; ahead < end; ++ahead) {
     Pose2 local_from_base = extrapolator.Predict(log_.scans[ahead].time, OdometryOf(ahead));
-    if (const auto points = PointsToMatch(PrepareRangeData(log_, ahead, options_))) {
-      constexpr double kAnyScore = 0.0;
-      const ScanMatch match = MatchScan(
-          *points, submap.grid, {submap.local_from_submap.Inverse() * local_from_base, true},
-          kAnyScore, options_);
-      sum += match.score;
-      local_from_base = submap.local_from_submap * match.submap_from_base;
+    constexpr double kAnyScore = 0.0;
+    if (const auto match = MatchScanAhead(ahead, local_from_base, submap, kAnyScore)) {
+      sum += match->score;
+      local_from_base = submap.local_from_submap * match->submap_from_base;
     }
     add_pose(ahead, local_from_base);
   }
@@ -184,14 +191,10 @@ std::optional<Pose2> LocalSlam::PlaceByScansAhead(int scan, const ActiveSubmap& 
     extrapolator.AddPose(time, predicted, odom_from_base, MotionKnowledge());
     local_from_predicted.push_back(predicted);
     if (ahead == scan) continue;
-    const auto points = PointsToMatch(PrepareRangeData(log_, ahead, options_));
-    if (!points) continue;
-    const ScanMatch match =
-        MatchScan(*points, submap.grid, {submap.local_from_submap.Inverse() * predicted, true},
-                  expected_score_, options_);
-    if (match.start == MatchStart::kNone) continue;
+    const auto match = MatchScanAhead(ahead, predicted, submap, expected_score_);
+    if (!match || match->start == MatchStart::kNone) continue;
     return FirstOfSharedJump(extrapolator_.LastPose(), local_from_predicted,
-                             submap.local_from_submap * match.submap_from_base);
+                             submap.local_from_submap * match->submap_from_base);
   }
   return std::nullopt;
 }

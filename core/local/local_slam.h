@@ -55,6 +55,10 @@ class LocalSlam {
   /// Where odometry has the scan, or if that is doubtful, where it matches without.
   ScanMatch MatchInDoubt(const PointCloud& points, int scan, const LocalSlamResult& result,
                          const ActiveSubmap& submap) const;
+  /// Of a scan that is not there yet, around where odometry has it; nothing if too little of it is
+  /// matched.
+  std::optional<ScanMatch> MatchScanAhead(int scan, const Pose2& local_from_predicted,
+                                          const ActiveSubmap& submap, double expected_score) const;
   /// The scores, summed, of `num_scans` scans behind `scan` where odometry leads to from
   /// `submap_from_base`, where `scan` would have been.
   double ScoreOfScansAhead(int scan, const Pose2& submap_from_base, const ActiveSubmap& submap,

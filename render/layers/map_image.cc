@@ -17,6 +17,14 @@ bool AreSame(const MapColors& a, const MapColors& b) {
   return a.free == b.free && a.occupied == b.occupied && a.unknown == b.unknown;
 }
 
+/// The pixels of the raster that any grid from `first` to before `last` may touch, and those
+/// between.
+CellBox PixelsOf(const PlacedGrid* first, const PlacedGrid* last, const Raster& raster) {
+  CellBox pixels;
+  for (; first != last; ++first) pixels = Union(pixels, PixelsOf(*first, raster));
+  return pixels;
+}
+
 }  // namespace
 
 /// The last image, and what it takes to make the next one of it.
@@ -39,16 +47,11 @@ class MapMemory {
     const PlacedGrid* const growing =
         grids.data() +
         std::max(still_grids_.size(), grids.size() - std::min(grids.size(), kMaxGrowing));
-    CellBox changed = growing_box_;
-    for (const PlacedGrid* grid = grids.data() + still_grids_.size(); grid != growing; ++grid) {
-      changed = Union(changed, PixelsOf(*grid, still_.raster()));
-    }
-    still_.Add(grids.data() + still_grids_.size(), growing);
+    const PlacedGrid* const added = grids.data() + still_grids_.size();
+    const CellBox changed = Union(growing_box_, PixelsOf(added, growing, still_.raster()));
+    still_.Add(added, growing);
     still_grids_.assign(grids.data(), growing);
-    growing_box_ = {};
-    for (const PlacedGrid* grid = growing; grid != end; ++grid) {
-      growing_box_ = Union(growing_box_, PixelsOf(*grid, still_.raster()));
-    }
+    growing_box_ = PixelsOf(growing, end, still_.raster());
     Repaint(changed);
     LogOddsSum all = still_.PartOf(growing_box_);
     all.Add(growing, end);

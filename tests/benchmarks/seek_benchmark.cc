@@ -57,6 +57,11 @@ void BM_OpenRecording(benchmark::State& state) {
 }
 BENCHMARK(BM_OpenRecording)->Unit(benchmark::kMillisecond);
 
+void BuildAndDraw(const ViewRequest& request, bool draws, DerivedCache* cache, Painter* painter) {
+  const Scene scene = BuildScene(cache, request, OversamplingOf(request));
+  if (draws) benchmark::DoNotOptimize(painter->Draw(scene));
+}
+
 /// From any step to any other, in the map, as the window does it once it was idle for a while: what
 /// it takes until the scene is there, and a picture of 1280 x 720 by OSMesa of it.
 void BM_Seek(benchmark::State& state) {
@@ -72,8 +77,7 @@ void BM_Seek(benchmark::State& state) {
   Random random(1);
   for (auto _ : state) {
     request.step = random.Below(run->recording.num_steps());
-    const Scene scene = BuildScene(&cache, request, OversamplingOf(request));
-    if (draws) benchmark::DoNotOptimize(painter.Draw(scene));
+    BuildAndDraw(request, draws, &cache, &painter);
   }
 }
 BENCHMARK(BM_Seek)
@@ -102,8 +106,7 @@ void BM_FilmFrame(benchmark::State& state) {
   const auto draw_next = [&] {
     request.step = step;
     step = step < last ? step + 1 : first;
-    const Scene scene = BuildScene(&cache, request, OversamplingOf(request));
-    if (draws) benchmark::DoNotOptimize(painter.Draw(scene));
+    BuildAndDraw(request, draws, &cache, &painter);
   };
   for (int i = 0; i < 3; ++i) draw_next();  // until all is remembered
   for (auto _ : state) draw_next();
