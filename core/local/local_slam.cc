@@ -10,6 +10,7 @@
 #include "core/local/scan_preparation.h"
 #include "core/local/shared_jump.h"
 #include "core/matching/match_score.h"
+#include "core/matching/wide_walls.h"
 
 namespace loopscope {
 namespace {
@@ -61,12 +62,17 @@ std::optional<Pose2> LocalSlam::OdometryOf(int scan) const {
 }
 
 void LocalSlam::Match(int scan, LocalSlamResult* result) {
-  const ActiveSubmap* submap = active_submaps_.MatchingSubmap();
-  if (submap == nullptr) return;
+  const ActiveSubmap* active = active_submaps_.MatchingSubmap();
+  if (active == nullptr) return;
   const std::optional<PointCloud> points = PointsToMatch(result->range_data);
   if (!points) return;
-  const Pose2& local_from_submap = submap->local_from_submap;
-  const ScanMatch match = MatchInDoubt(*points, scan, *result, *submap);
+  std::optional<ProbabilityGrid> wide_walls;
+  if (options_.share_beside_walls > 0.0 && IsFarFromBefore(scan)) {
+    wide_walls = WithWideWalls(active->grid, options_.share_beside_walls);
+  }
+  const Pose2& local_from_submap = active->local_from_submap;
+  const MatchedSubmap submap{local_from_submap, wide_walls ? *wide_walls : active->grid};
+  const ScanMatch match = MatchInDoubt(*points, scan, *result, submap);
   ++num_matched_;
   expected_score_ +=
       std::max(kExpectedScoreGain, 1.0 / num_matched_) * (match.score - expected_score_);
@@ -77,18 +83,23 @@ void LocalSlam::Match(int scan, LocalSlamResult* result) {
   result->match_start = match.start;
   if (match.start != MatchStart::kNone || !result->odom_from_base) {
     result->local_from_base = Rounded(local_from_submap * match.submap_from_base);
-  } else if (const auto local_from_base = PlaceByScansAhead(scan, *submap)) {
+  } else if (const auto local_from_base = PlaceByScansAhead(scan, submap)) {
     result->local_from_base = Rounded(*local_from_base);
     result->match_start = MatchStart::kAhead;
   }
   const bool is_as_measured = result->odom_from_base && match.start == MatchStart::kPrior;
   const bool is_held =
-      match.start != MatchStart::kNone && HoldsAhead(*points, match.submap_from_base, submap->grid);
+      match.start != MatchStart::kNone && HoldsAhead(*points, match.submap_from_base, active->grid);
   result->motion_knowledge = {is_as_measured || is_held, is_as_measured && is_held};
 }
 
+bool LocalSlam::IsFarFromBefore(int scan) const {
+  const PastMotions& motions = extrapolator_.past_motions();
+  return motions.SayMoreThanVelocity() || (motions.AreFew() && ShowsAnotherPlace(log_, scan));
+}
+
 MatchPrior LocalSlam::PriorOf(int scan, const LocalSlamResult& result,
-                              const ActiveSubmap& submap) const {
+                              const MatchedSubmap& submap) const {
   MatchPrior prior{submap.local_from_submap.Inverse() * result.local_from_base_prior, true};
   if (num_matched_ >= kNumScansUntilVelocityIsKnown) {
     prior.submap_from_base_by_velocity = SubmapFromBaseByVelocity(scan, submap);
@@ -96,7 +107,7 @@ MatchPrior LocalSlam::PriorOf(int scan, const LocalSlamResult& result,
   return prior;
 }
 
-Pose2 LocalSlam::SubmapFromBaseByVelocity(int scan, const ActiveSubmap& submap) const {
+Pose2 LocalSlam::SubmapFromBaseByVelocity(int scan, const MatchedSubmap& submap) const {
   return submap.local_from_submap.Inverse() *
          extrapolator_.PredictByVelocity(log_.scans[scan].time);
 }
@@ -113,15 +124,13 @@ std::optional<LocalSlam::Doubt> LocalSlam::DoubtIn(const Pose2& odom_from_base) 
 }
 
 ScanMatch LocalSlam::MatchWithoutOdometry(const PointCloud& points, int scan,
-                                          const ActiveSubmap& submap) const {
+                                          const MatchedSubmap& submap) const {
   const Pose2 submap_from_base_before =
       submap.local_from_submap.Inverse() * extrapolator_.LastPose();
-  const PastMotions& motions = extrapolator_.past_motions();
-  const bool is_far_from_before =
-      motions.SayMoreThanVelocity() || (motions.AreFew() && ShowsAnotherPlace(log_, scan));
-  if (options_.past_motions_weight > 0.0 && is_far_from_before) {
+  if (options_.past_motions_weight > 0.0 && IsFarFromBefore(scan)) {
     return MatchAsBefore(points, submap.grid, submap_from_base_before,
-                         motions.Prior(options_.past_motions_weight), expected_score_, options_);
+                         extrapolator_.past_motions().Prior(options_.past_motions_weight),
+                         expected_score_, options_);
   }
   ScanMatch match = MatchScan(points, submap.grid, {SubmapFromBaseByVelocity(scan, submap)},
                               expected_score_, options_);
@@ -130,7 +139,7 @@ ScanMatch LocalSlam::MatchWithoutOdometry(const PointCloud& points, int scan,
 }
 
 ScanMatch LocalSlam::MatchInDoubt(const PointCloud& points, int scan, const LocalSlamResult& result,
-                                  const ActiveSubmap& submap) const {
+                                  const MatchedSubmap& submap) const {
   if (!result.odom_from_base || !extrapolator_.HasOdometry()) {
     return MatchWithoutOdometry(points, scan, submap);
   }
@@ -149,7 +158,7 @@ ScanMatch LocalSlam::MatchInDoubt(const PointCloud& points, int scan, const Loca
 }
 
 std::optional<ScanMatch> LocalSlam::MatchScanAhead(int scan, const Pose2& local_from_predicted,
-                                                   const ActiveSubmap& submap,
+                                                   const MatchedSubmap& submap,
                                                    double expected_score) const {
   const auto points = PointsToMatch(PrepareRangeData(log_, scan, options_));
   if (!points) return std::nullopt;
@@ -159,7 +168,7 @@ std::optional<ScanMatch> LocalSlam::MatchScanAhead(int scan, const Pose2& local_
 }
 
 double LocalSlam::ScoreOfScansAhead(int scan, const Pose2& submap_from_base,
-                                    const ActiveSubmap& submap, int num_scans) const {
+                                    const MatchedSubmap& submap, int num_scans) const {
   PoseExtrapolator extrapolator = extrapolator_;
   const auto add_pose = [&](int at, const Pose2& local_from_base) {
     extrapolator.AddPose(log_.scans[at].time, local_from_base, OdometryOf(at), MotionKnowledge());
@@ -179,7 +188,7 @@ double LocalSlam::ScoreOfScansAhead(int scan, const Pose2& submap_from_base,
   return sum;
 }
 
-std::optional<Pose2> LocalSlam::PlaceByScansAhead(int scan, const ActiveSubmap& submap) const {
+std::optional<Pose2> LocalSlam::PlaceByScansAhead(int scan, const MatchedSubmap& submap) const {
   const int end = std::min(scan + 1 + options_.recovery.max_num_scans_ahead,
                            static_cast<int>(log_.scans.size()));
   PoseExtrapolator extrapolator = extrapolator_;

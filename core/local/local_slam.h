@@ -37,11 +37,19 @@ class LocalSlam {
   LocalSlamResult AddScan(int scan);
 
  private:
+  /// What a scan is matched with.
+  struct MatchedSubmap {
+    const Pose2& local_from_submap;
+    const ProbabilityGrid& grid;  ///< of the submap, or WithWideWalls
+  };
+
   void Match(int scan, LocalSlamResult* result);
+  /// Whether the robot went so far since the scan before that velocity says little.
+  bool IsFarFromBefore(int scan) const;
   /// If odometry is used, there is any, and it does not hang.
   std::optional<Pose2> OdometryOf(int scan) const;
-  MatchPrior PriorOf(int scan, const LocalSlamResult& result, const ActiveSubmap& submap) const;
-  Pose2 SubmapFromBaseByVelocity(int scan, const ActiveSubmap& submap) const;
+  MatchPrior PriorOf(int scan, const LocalSlamResult& result, const MatchedSubmap& submap) const;
+  Pose2 SubmapFromBaseByVelocity(int scan, const MatchedSubmap& submap) const;
   /// What is asked of a match without odometry, where that is doubted.
   struct Doubt {
     double min_score_ratio = 0.0;  ///< how many times as much as with odometry it must score,
@@ -51,21 +59,21 @@ class LocalSlam {
   std::optional<Doubt> DoubtIn(const Pose2& odom_from_base) const;
   /// Where the scan matches whatever odometry says.
   ScanMatch MatchWithoutOdometry(const PointCloud& points, int scan,
-                                 const ActiveSubmap& submap) const;
+                                 const MatchedSubmap& submap) const;
   /// Where odometry has the scan, or if that is doubtful, where it matches without.
   ScanMatch MatchInDoubt(const PointCloud& points, int scan, const LocalSlamResult& result,
-                         const ActiveSubmap& submap) const;
+                         const MatchedSubmap& submap) const;
   /// Of a scan that is not there yet, around where odometry has it; nothing if too little of it is
   /// matched.
   std::optional<ScanMatch> MatchScanAhead(int scan, const Pose2& local_from_predicted,
-                                          const ActiveSubmap& submap, double expected_score) const;
+                                          const MatchedSubmap& submap, double expected_score) const;
   /// The scores, summed, of `num_scans` scans behind `scan` where odometry leads to from
   /// `submap_from_base`, where `scan` would have been.
-  double ScoreOfScansAhead(int scan, const Pose2& submap_from_base, const ActiveSubmap& submap,
+  double ScoreOfScansAhead(int scan, const Pose2& submap_from_base, const MatchedSubmap& submap,
                            int num_scans) const;
   /// Where scan `scan` was, which matches nowhere in `submap`: between the scan before it and the
   /// first of those ahead that does match there.
-  std::optional<Pose2> PlaceByScansAhead(int scan, const ActiveSubmap& submap) const;
+  std::optional<Pose2> PlaceByScansAhead(int scan, const MatchedSubmap& submap) const;
   /// What is matched of a scan; nothing if that is too little.
   std::optional<PointCloud> PointsToMatch(const RangeData& range_data) const;
 

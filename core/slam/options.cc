@@ -25,6 +25,7 @@ Options LoopscopePreset() {
   local.standstill_min_score_ratio = 1.02;
   local.unusual_motion_min_score_ratio = 1.1;
   local.past_motions_weight = 0.05;
+  local.share_beside_walls = 0.5;
   local.recovery.min_relative_score = 0.6;
   local.recovery.linear_search_window = 2.0;
   local.recovery.unmeasured_min_relative_score = 0.9;
