@@ -101,6 +101,7 @@ bool LocalSlam::IsFarFromBefore(int scan) const {
 MatchPrior LocalSlam::PriorOf(int scan, const LocalSlamResult& result,
                               const MatchedSubmap& submap) const {
   MatchPrior prior{submap.local_from_submap.Inverse() * result.local_from_base_prior, true};
+  prior.is_far_from_before = IsFarFromBefore(scan);
   if (num_matched_ >= kNumScansUntilVelocityIsKnown) {
     prior.submap_from_base_by_velocity = SubmapFromBaseByVelocity(scan, submap);
   }
@@ -149,6 +150,10 @@ ScanMatch LocalSlam::MatchInDoubt(const PointCloud& points, int scan, const Loca
   if (!doubt) return match;
   ScanMatch without_odometry = MatchWithoutOdometry(points, scan, submap);
   if (without_odometry.start == MatchStart::kNone) return match;
+  const Pose2 motion_without_odometry = extrapolator_.LastPose().Inverse() *
+                                        submap.local_from_submap *
+                                        without_odometry.submap_from_base;
+  if (!extrapolator_.past_motions().HaveOneLike(motion_without_odometry)) return match;
   const auto score = [&](const ScanMatch& at) {
     return at.score + ScoreOfScansAhead(scan, at.submap_from_base, submap, doubt->num_scans_ahead);
   };

@@ -60,7 +60,8 @@ class LocalSlam {
   /// Where the scan matches whatever odometry says.
   ScanMatch MatchWithoutOdometry(const PointCloud& points, int scan,
                                  const MatchedSubmap& submap) const;
-  /// Where odometry has the scan, or if that is doubtful, where it matches without.
+  /// Where odometry has the scan, or if that is doubtful, where it matches without, if the robot
+  /// ever made a motion like that.
   ScanMatch MatchInDoubt(const PointCloud& points, int scan, const LocalSlamResult& result,
                          const MatchedSubmap& submap) const;
   /// Of a scan that is not there yet, around where odometry has it; nothing if too little of it is

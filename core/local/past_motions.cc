@@ -55,6 +55,7 @@ MotionPrior PastMotions::Prior(double exponent) const {
 }
 
 bool PastMotions::HaveOneLike(const Pose2& motion) const {
+  if (motions_.empty()) return false;
   const double max_way = kLikeShareOfWay * std::max(kLongWay, UsualWay(motions_));
   return std::any_of(motions_.begin(), motions_.end(), [&](const Pose2& other) {
     const double turn = NormalizeAngle(other.rotation - motion.rotation) / kLikeTurn;

@@ -23,7 +23,7 @@ class PastMotions {
   bool SayMoreThanVelocity() const;
 
   /// Whether one of the last three hundred differed from `motion` by no more than three quarters of
-  /// the usual way, which counts as 0.3 m at least, and 18 deg, in all. There must be one at least.
+  /// the usual way, which counts as 0.3 m at least, and 18 deg, in all.
   bool HaveOneLike(const Pose2& motion) const;
 
   /// The last three hundred count. While they are few, so do those that any robot on wheels might

@@ -118,10 +118,14 @@ ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& gri
           ? min_score
           : std::max(min_score, recovery.unmeasured_min_relative_score * expected_score);
   if (near.score >= doubtful_score) return near;
+  // Where a corridor turns, the new one looks as the old one did.
+  const bool matches_what_is_known =
+      MatchesWhatIsKnown(points_in_base, near, grid, min_score, options);
+  if (prior.is_measured && prior.is_far_from_before && matches_what_is_known) return near;
   const auto recovered = Recover(points_in_base, grid, prior.submap_from_base, prior.is_measured,
                                  near.score, min_score, options);
   if (recovered) return *recovered;
-  if (MatchesWhatIsKnown(points_in_base, near, grid, min_score, options)) return near;
+  if (matches_what_is_known) return near;
   return {std::nullopt, prior.submap_from_base,
           MeanProbability(points_in_base, prior.submap_from_base, grid), MatchStart::kNone};
 }

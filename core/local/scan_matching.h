@@ -26,6 +26,8 @@ struct MatchPrior {
   bool is_measured = false;  ///< by odometry
   /// Where the robot would be had it gone on as before, if odometry says otherwise.
   std::optional<Pose2> submap_from_base_by_velocity{};
+  /// Whether the robot went so far since the scan before that it may see what is not known yet.
+  bool is_far_from_before = false;
 };
 
 /// Local scan matching: the correlative matcher, if it is switched on, then (CS). Around a prior
@@ -33,7 +35,8 @@ struct MatchPrior {
 /// there, measured by the `expected_score`, but well where the velocity has it, odometry was wrong.
 /// If it matches badly at both, it is searched for in a wide window around the prior, of one that
 /// was not measured first nearby; if it is not found there either, and its points in known cells
-/// match badly too, it stays at the prior: kNone.
+/// match badly too, it stays at the prior: kNone. Of a prior that was measured and is far from
+/// before, points in known cells that match well suffice, and nothing is searched.
 ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& grid,
                     const MatchPrior& prior, double expected_score,
                     const LocalSlamOptions& options);

@@ -41,8 +41,8 @@ void FindWallsAt(std::size_t x, const CellValue* below, const CellValue* here,
   hn::StoreU(hn::IfThenElseZero(is_wall(all), all), tag, highest + x);
 }
 
-/// The walls of row `here`, other cells free or unknown, and the highest wall of each column of three
-/// rows.
+/// The walls of row `here`, other cells free or unknown, and the highest wall of each column of
+/// three rows.
 void FindWalls(const CellValue* below, const CellValue* here, const CellValue* above,
                std::size_t width, CellValue* walls, CellValue* highest) {
   std::size_t x = 0;
