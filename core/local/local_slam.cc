@@ -67,7 +67,8 @@ void LocalSlam::Match(int scan, LocalSlamResult* result) {
   const std::optional<PointCloud> points = PointsToMatch(result->range_data);
   if (!points) return;
   std::optional<ProbabilityGrid> wide_walls;
-  if (options_.share_beside_walls > 0.0 && IsFarFromBefore(scan)) {
+  const bool may_be_held_back = !result->odom_from_base || IsFarFromBefore(scan);
+  if (options_.share_beside_walls > 0.0 && may_be_held_back) {
     wide_walls = WithWideWalls(active->grid, options_.share_beside_walls);
   }
   const Pose2& local_from_submap = active->local_from_submap;

@@ -75,9 +75,9 @@ struct LocalSlamOptions {
   /// to this power: as many readings as the reciprocal tell as much as all that is known of the
   /// motion; 0: velocity predicts all scans. Not in Cartographer. See MotionPrior.
   double past_motions_weight = 0.0;
-  /// Scans that are far apart are matched with a grid whose walls are a cell wider to all sides,
-  /// where they stand for this share; 0: with the grid as it is. Not in Cartographer. See
-  /// WithWideWalls.
+  /// Scans that are far apart, or without odometry, are matched with a grid whose walls are a cell
+  /// wider to all sides, where they stand for this share; 0: with the grid as it is. Not in
+  /// Cartographer. See WithWideWalls.
   double share_beside_walls = 0.0;
   /// A pose that no odometry predicted is looked for in windows this many times as large, and its
   /// deviation from the prediction weighs as much less. Not in Cartographer.
