@@ -66,14 +66,15 @@ void LocalSlam::Match(int scan, LocalSlamResult* result) {
   if (active == nullptr) return;
   const std::optional<PointCloud> points = PointsToMatch(result->range_data);
   if (!points) return;
+  const ScanToMatch scan_to_match{scan, *points, IsFarFromBefore(scan)};
   std::optional<ProbabilityGrid> wide_walls;
-  const bool may_be_held_back = !result->odom_from_base || IsFarFromBefore(scan);
+  const bool may_be_held_back = !result->odom_from_base || scan_to_match.is_far_from_before;
   if (options_.share_beside_walls > 0.0 && may_be_held_back) {
     wide_walls = WithWideWalls(active->grid, options_.share_beside_walls);
   }
   const Pose2& local_from_submap = active->local_from_submap;
   const MatchedSubmap submap{local_from_submap, wide_walls ? *wide_walls : active->grid};
-  const ScanMatch match = MatchInDoubt(*points, scan, *result, submap);
+  const ScanMatch match = MatchInDoubt(scan_to_match, *result, submap);
   ++num_matched_;
   expected_score_ +=
       std::max(kExpectedScoreGain, 1.0 / num_matched_) * (match.score - expected_score_);
@@ -99,12 +100,12 @@ bool LocalSlam::IsFarFromBefore(int scan) const {
   return motions.SayMoreThanVelocity() || (motions.AreFew() && ShowsAnotherPlace(log_, scan));
 }
 
-MatchPrior LocalSlam::PriorOf(int scan, const LocalSlamResult& result,
+MatchPrior LocalSlam::PriorOf(const ScanToMatch& scan, const LocalSlamResult& result,
                               const MatchedSubmap& submap) const {
   MatchPrior prior{submap.local_from_submap.Inverse() * result.local_from_base_prior, true};
-  prior.is_far_from_before = IsFarFromBefore(scan);
+  prior.is_far_from_before = scan.is_far_from_before;
   if (num_matched_ >= kNumScansUntilVelocityIsKnown) {
-    prior.submap_from_base_by_velocity = SubmapFromBaseByVelocity(scan, submap);
+    prior.submap_from_base_by_velocity = SubmapFromBaseByVelocity(scan.index, submap);
   }
   return prior;
 }
@@ -125,38 +126,40 @@ std::optional<LocalSlam::Doubt> LocalSlam::DoubtIn(const Pose2& odom_from_base) 
   return doubt.min_score_ratio > 0.0 ? std::optional<Doubt>(doubt) : std::nullopt;
 }
 
-ScanMatch LocalSlam::MatchWithoutOdometry(const PointCloud& points, int scan,
+ScanMatch LocalSlam::MatchWithoutOdometry(const ScanToMatch& scan,
                                           const MatchedSubmap& submap) const {
   const Pose2 submap_from_base_before =
       submap.local_from_submap.Inverse() * extrapolator_.LastPose();
-  if (options_.past_motions_weight > 0.0 && IsFarFromBefore(scan)) {
-    return MatchAsBefore(points, submap.grid, submap_from_base_before,
+  if (options_.past_motions_weight > 0.0 && scan.is_far_from_before) {
+    return MatchAsBefore(scan.points, submap.grid, submap_from_base_before,
                          extrapolator_.past_motions().Prior(options_.past_motions_weight),
                          expected_score_, options_);
   }
-  ScanMatch match = MatchScan(points, submap.grid, {SubmapFromBaseByVelocity(scan, submap)},
-                              expected_score_, options_);
+  ScanMatch match =
+      MatchScan(scan.points, submap.grid, {SubmapFromBaseByVelocity(scan.index, submap)},
+                expected_score_, options_);
   if (match.start == MatchStart::kNone) match.submap_from_base = submap_from_base_before;
   return match;
 }
 
-ScanMatch LocalSlam::MatchInDoubt(const PointCloud& points, int scan, const LocalSlamResult& result,
+ScanMatch LocalSlam::MatchInDoubt(const ScanToMatch& scan, const LocalSlamResult& result,
                                   const MatchedSubmap& submap) const {
   if (!result.odom_from_base || !extrapolator_.HasOdometry()) {
-    return MatchWithoutOdometry(points, scan, submap);
+    return MatchWithoutOdometry(scan, submap);
   }
   const ScanMatch match =
-      MatchScan(points, submap.grid, PriorOf(scan, result, submap), expected_score_, options_);
+      MatchScan(scan.points, submap.grid, PriorOf(scan, result, submap), expected_score_, options_);
   const std::optional<Doubt> doubt = DoubtIn(*result.odom_from_base);
   if (!doubt) return match;
-  ScanMatch without_odometry = MatchWithoutOdometry(points, scan, submap);
+  ScanMatch without_odometry = MatchWithoutOdometry(scan, submap);
   if (without_odometry.start == MatchStart::kNone) return match;
   const Pose2 motion_without_odometry = extrapolator_.LastPose().Inverse() *
                                         submap.local_from_submap *
                                         without_odometry.submap_from_base;
   if (!extrapolator_.past_motions().HaveOneLike(motion_without_odometry)) return match;
   const auto score = [&](const ScanMatch& at) {
-    return at.score + ScoreOfScansAhead(scan, at.submap_from_base, submap, doubt->num_scans_ahead);
+    return at.score +
+           ScoreOfScansAhead(scan.index, at.submap_from_base, submap, doubt->num_scans_ahead);
   };
   if (score(without_odometry) < doubt->min_score_ratio * score(match)) return match;
   if (without_odometry.start == MatchStart::kPrior) without_odometry.start = MatchStart::kVelocity;

@@ -37,6 +37,11 @@ class LocalSlam {
   LocalSlamResult AddScan(int scan);
 
  private:
+  struct ScanToMatch {
+    int index;
+    const PointCloud& points;  ///< in the frame of the robot
+    bool is_far_from_before;   ///< see IsFarFromBefore
+  };
   /// What a scan is matched with.
   struct MatchedSubmap {
     const Pose2& local_from_submap;
@@ -48,7 +53,8 @@ class LocalSlam {
   bool IsFarFromBefore(int scan) const;
   /// If odometry is used, there is any, and it does not hang.
   std::optional<Pose2> OdometryOf(int scan) const;
-  MatchPrior PriorOf(int scan, const LocalSlamResult& result, const MatchedSubmap& submap) const;
+  MatchPrior PriorOf(const ScanToMatch& scan, const LocalSlamResult& result,
+                     const MatchedSubmap& submap) const;
   Pose2 SubmapFromBaseByVelocity(int scan, const MatchedSubmap& submap) const;
   /// What is asked of a match without odometry, where that is doubted.
   struct Doubt {
@@ -58,11 +64,10 @@ class LocalSlam {
   /// Nothing if there is no reason to doubt odometry, which there must be.
   std::optional<Doubt> DoubtIn(const Pose2& odom_from_base) const;
   /// Where the scan matches whatever odometry says.
-  ScanMatch MatchWithoutOdometry(const PointCloud& points, int scan,
-                                 const MatchedSubmap& submap) const;
+  ScanMatch MatchWithoutOdometry(const ScanToMatch& scan, const MatchedSubmap& submap) const;
   /// Where odometry has the scan, or if that is doubtful, where it matches without, if the robot
   /// ever made a motion like that.
-  ScanMatch MatchInDoubt(const PointCloud& points, int scan, const LocalSlamResult& result,
+  ScanMatch MatchInDoubt(const ScanToMatch& scan, const LocalSlamResult& result,
                          const MatchedSubmap& submap) const;
   /// Of a scan that is not there yet, around where odometry has it; nothing if too little of it is
   /// matched.

@@ -165,8 +165,7 @@ Rows LocalSlamRows(LocalSlamOptions* o) {
   rows.push_back(
       {"share_beside_walls", &o->share_beside_walls, 0, 1, "",
        "Scans that are far apart, or without odometry, are matched as if walls were a cell wider "
-       "to "
-       "all sides, where they count for this share; 0: as they are. Not in Cartographer."});
+       "to all sides, where they count for this share; 0: as they are. Not in Cartographer."});
   rows.push_back({"use_online_correlative_scan_matching", &o->use_online_correlative_scan_matching,
                   0, 0, "", "Whether the correlative matcher runs before (CS)."});
   Append("real_time_correlative_scan_matcher.",

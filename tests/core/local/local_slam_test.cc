@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/local_run.h"
 #include "tests/support/mapped_log.h"
 #include "tests/support/pose_matchers.h"
 
@@ -20,27 +21,6 @@ Simulation FirstScans(int num_scans) {
   Simulation simulation = SimulateSmallLoop();
   simulation.log.scans.resize(num_scans);
   return simulation;
-}
-
-std::vector<LocalSlamResult> AddAllScans(const ScanLog& log, const LocalSlamOptions& options) {
-  LocalSlam slam(log, options);
-  std::vector<LocalSlamResult> results;
-  for (int scan = 0; scan < static_cast<int>(log.scans.size()); ++scan) {
-    results.push_back(slam.AddScan(scan));
-  }
-  return results;
-}
-
-/// The true motion of the robot between two scans.
-Pose2 TrueMotion(const Simulation& simulation, int from, int to) {
-  const auto world_from_base = [&](int scan) {
-    return PoseAt(simulation.ground_truth, simulation.log.scans[scan].time);
-  };
-  return world_from_base(from).Inverse() * world_from_base(to);
-}
-
-Pose2 Motion(const std::vector<LocalSlamResult>& results, int from, int to) {
-  return results[from].local_from_base.Inverse() * results[to].local_from_base;
 }
 
 /// Lets odometry believe that the robot turned by `angle` on the spot just before `scan`.
@@ -149,46 +129,6 @@ TEST(LocalSlam, GoesOnWhereOdometryHangs) {
               PoseNear(truth, 0.1, DegreesToRadians(2.0)));
   options.standstill_min_score_ratio = 0.0;
   EXPECT_THAT(Motion(AddAllScans(log, options), kJumpScan, last),
-              Not(PoseNear(truth, 0.5, DegreesToRadians(20.0))));
-}
-
-TEST(LocalSlam, GoesOnByTheMotionsBeforeWhereScansAreSparse) {
-  SimulationOptions simulation_options;
-  simulation_options.scan_period = 1.0;  // 0.8 m
-  simulation_options.lidar.beams = {361, -M_PI, DegreesToRadians(1.0)};
-  const Simulation simulation = Simulate(SmallLoopWorld(), simulation_options);
-  constexpr int kHangScan = 21;
-  ScanLog log = simulation.log;
-  const int last = static_cast<int>(log.scans.size()) - 1;
-  for (int scan = kHangScan; scan <= last; ++scan) {
-    log.scans[scan].num_odometry_before = log.scans[kHangScan].num_odometry_before;
-  }
-  const Pose2 truth = TrueMotion(simulation, kHangScan, last);
-  LocalSlamOptions options = SmallLoopOptions().trajectory_builder_2d;
-  options.recovery.unmeasured_min_relative_score = 0.0;
-  const auto results = AddAllScans(log, options);
-  EXPECT_EQ(results[last].match_start, MatchStart::kRecovery);
-  EXPECT_THAT(Motion(results, kHangScan, last), PoseNear(truth, 0.1, DegreesToRadians(2.0)));
-  options.past_motions_weight = 0.0;
-  EXPECT_THAT(Motion(AddAllScans(log, options), kHangScan, last),
-              Not(PoseNear(truth, 0.5, DegreesToRadians(20.0))));
-}
-
-TEST(LocalSlam, FollowsSparseScansWithoutOdometryFromTheFirstOn) {
-  SimulationOptions simulation_options;
-  simulation_options.scan_period = 1.5;  // 1.2 m
-  simulation_options.lidar.beams = {361, -M_PI, DegreesToRadians(1.0)};
-  const Simulation simulation = Simulate(SmallLoopWorld(), simulation_options);
-  ScanLog log = simulation.log;
-  constexpr int kLast = 15;
-  log.scans.resize(kLast + 1);
-  LocalSlamOptions options = SmallLoopOptions().trajectory_builder_2d;
-  options.use_odometry = false;
-  const Pose2 truth = TrueMotion(simulation, 0, kLast);
-  EXPECT_THAT(Motion(AddAllScans(log, options), 0, kLast),
-              PoseNear(truth, 0.1, DegreesToRadians(2.0)));
-  options.past_motions_weight = 0.0;
-  EXPECT_THAT(Motion(AddAllScans(log, options), 0, kLast),
               Not(PoseNear(truth, 0.5, DegreesToRadians(20.0))));
 }
 

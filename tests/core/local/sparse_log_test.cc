@@ -3,16 +3,20 @@
 //
 // Local SLAM of logs with a scan every metre or five.
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "core/local/local_slam.h"
 #include "core/simulation/worlds.h"
+#include "tests/support/local_run.h"
 #include "tests/support/mapped_log.h"
+#include "tests/support/pose_matchers.h"
 
 namespace loopscope {
 namespace {
+
+using ::testing::Not;
 
 Simulation SparseLog(const std::string& world, double scan_period) {
   SimulationOptions options;
@@ -22,21 +26,54 @@ Simulation SparseLog(const std::string& world, double scan_period) {
 
 /// The largest of the errors of the motion from one scan to the next [m].
 double WorstStep(const Simulation& simulation, const LocalSlamOptions& options) {
-  const ScanLog& log = simulation.log;
-  LocalSlam slam(log, options);
-  const auto truth = [&](int scan) {
-    return PoseAt(simulation.ground_truth, log.scans[scan].time);
-  };
-  Pose2 before = slam.AddScan(0).local_from_base;
+  const auto results = AddAllScans(simulation.log, options);
   double worst = 0.0;
-  for (int scan = 1; scan < static_cast<int>(log.scans.size()); ++scan) {
-    const Pose2 now = slam.AddScan(scan).local_from_base;
-    const Pose2 true_motion = truth(scan - 1).Inverse() * truth(scan);
-    const Pose2 error = true_motion.Inverse() * (before.Inverse() * now);
+  for (int scan = 1; scan < static_cast<int>(results.size()); ++scan) {
+    const Pose2 error =
+        TrueMotion(simulation, scan - 1, scan).Inverse() * Motion(results, scan - 1, scan);
     worst = std::max(worst, error.translation.norm());
-    before = now;
   }
   return worst;
+}
+
+TEST(LocalSlamOfSparseLogs, GoesOnByTheMotionsBefore) {
+  SimulationOptions simulation_options;
+  simulation_options.scan_period = 1.0;  // 0.8 m
+  simulation_options.lidar.beams = {361, -M_PI, DegreesToRadians(1.0)};
+  const Simulation simulation = Simulate(SmallLoopWorld(), simulation_options);
+  constexpr int kHangScan = 21;
+  ScanLog log = simulation.log;
+  const int last = static_cast<int>(log.scans.size()) - 1;
+  for (int scan = kHangScan; scan <= last; ++scan) {
+    log.scans[scan].num_odometry_before = log.scans[kHangScan].num_odometry_before;
+  }
+  const Pose2 truth = TrueMotion(simulation, kHangScan, last);
+  LocalSlamOptions options = SmallLoopOptions().trajectory_builder_2d;
+  options.recovery.unmeasured_min_relative_score = 0.0;
+  const auto results = AddAllScans(log, options);
+  EXPECT_EQ(results[last].match_start, MatchStart::kRecovery);
+  EXPECT_THAT(Motion(results, kHangScan, last), PoseNear(truth, 0.1, DegreesToRadians(2.0)));
+  options.past_motions_weight = 0.0;
+  EXPECT_THAT(Motion(AddAllScans(log, options), kHangScan, last),
+              Not(PoseNear(truth, 0.5, DegreesToRadians(20.0))));
+}
+
+TEST(LocalSlamOfSparseLogs, FollowsThemWithoutOdometryFromTheFirstScanOn) {
+  SimulationOptions simulation_options;
+  simulation_options.scan_period = 1.5;  // 1.2 m
+  simulation_options.lidar.beams = {361, -M_PI, DegreesToRadians(1.0)};
+  const Simulation simulation = Simulate(SmallLoopWorld(), simulation_options);
+  ScanLog log = simulation.log;
+  constexpr int kLast = 15;
+  log.scans.resize(kLast + 1);
+  LocalSlamOptions options = SmallLoopOptions().trajectory_builder_2d;
+  options.use_odometry = false;
+  const Pose2 truth = TrueMotion(simulation, 0, kLast);
+  EXPECT_THAT(Motion(AddAllScans(log, options), 0, kLast),
+              PoseNear(truth, 0.1, DegreesToRadians(2.0)));
+  options.past_motions_weight = 0.0;
+  EXPECT_THAT(Motion(AddAllScans(log, options), 0, kLast),
+              Not(PoseNear(truth, 0.5, DegreesToRadians(20.0))));
 }
 
 // The robot sees a new corridor, which looks as the old one did from where it came, and better than
@@ -51,21 +88,17 @@ TEST(LocalSlamOfSparseLogs, TurnsCornersAsOdometryMeasuredThem) {
   }
 }
 
-/// Of the first `num_scans` scans, where it differs at all.
+/// To any of the first `num_scans` scans.
 bool WideWallsMakeADifference(ScanLog log, int num_scans) {
   log.scans.resize(num_scans);
-  LocalSlamOptions wide = LoopscopePreset().trajectory_builder_2d;
-  LocalSlamOptions as_they_are = wide;
-  as_they_are.share_beside_walls = 0.0;
-  LocalSlam with_wide_walls(log, wide);
-  LocalSlam with_walls_as_they_are(log, as_they_are);
-  for (int scan = 0; scan < num_scans; ++scan) {
-    if (with_wide_walls.AddScan(scan).local_from_base !=
-        with_walls_as_they_are.AddScan(scan).local_from_base) {
-      return true;
-    }
-  }
-  return false;
+  LocalSlamOptions options = LoopscopePreset().trajectory_builder_2d;
+  const auto with_wide_walls = AddAllScans(log, options);
+  options.share_beside_walls = 0.0;
+  const auto with_walls_as_they_are = AddAllScans(log, options);
+  return !std::equal(with_wide_walls.begin(), with_wide_walls.end(), with_walls_as_they_are.begin(),
+                     [](const LocalSlamResult& a, const LocalSlamResult& b) {
+                       return a.local_from_base == b.local_from_base;
+                     });
 }
 
 TEST(LocalSlamOfSparseLogs, MatchesWithWideWallsUnlikeThatOfOthers) {

@@ -9,6 +9,7 @@
 #include "core/matching/block_sums.h"
 #include "core/matching/precomputed_grids.h"
 #include "core/matching/search_lattice.h"
+#include "core/matching/wide_walls.h"
 #include "tests/support/random_world.h"
 
 namespace loopscope {
@@ -40,6 +41,8 @@ std::vector<std::int64_t> Compute(std::uint64_t seed) {
   for (const auto* values : {&smooth.values, &smooth.slopes_x, &smooth.slopes_y}) {
     for (const double value : *values) numbers.push_back(BitsOf(value));
   }
+  const ProbabilityGrid wide = WithWideWalls(world.grid, 0.5);
+  numbers.insert(numbers.end(), wide.cells().begin(), wide.cells().end());
   for (int angle = -3; angle <= 3; ++angle) {
     const std::vector<CellIndex> cells = CellsAtAngle(window, world.points_in_scan, angle);
     for (const CellIndex cell : cells) numbers.insert(numbers.end(), {cell.x, cell.y});
