@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
@@ -33,6 +34,9 @@ void PrintRow(const std::string& name, fmt::format_string<Values...> format, Val
   fmt::print("{:<10} {}\n", name, fmt::format(format, std::forward<Values>(values)...));
 }
 
+/// To four decimals: a mount comes from the difference of two poses, and has no more.
+double FourDecimals(double value) { return std::round(1e4 * value) / 1e4 + 0.0; }
+
 void PrintScanner(const ScanLog& log) {
   for (const BeamGeometry& beams : log.beam_geometries) {
     PrintRow("beams", "{}, {:g} deg apart, from {:g} deg to {:g} deg", beams.num_beams,
@@ -40,8 +44,8 @@ void PrintScanner(const ScanLog& log) {
              RadiansToDegrees(beams.Angle(beams.num_beams - 1)));
   }
   const Pose2& mount = log.base_from_laser;
-  PrintRow("scanner", "x {:g} m, y {:g} m, turned {:g} deg on the robot", mount.x(), mount.y(),
-           RadiansToDegrees(mount.rotation));
+  PrintRow("scanner", "x {:g} m, y {:g} m, turned {:g} deg on the robot", FourDecimals(mount.x()),
+           FourDecimals(mount.y()), FourDecimals(RadiansToDegrees(mount.rotation)));
 }
 
 void PrintLog(const ScanLog& log) {

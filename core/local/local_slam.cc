@@ -25,6 +25,10 @@ constexpr int kNumScansUntilVelocityIsKnown = 20;
 /// was, and not where odometry has that.
 constexpr int kNumScansThatTellAJump = 3;
 
+/// Of the expected score. Behind a jump a scan matches less where odometry has it, while the scans
+/// ahead may well match elsewhere: round a corner a new corridor looks as the old one did.
+constexpr double kShareThatIsNotDoubted = 0.8;
+
 }  // namespace
 
 LocalSlam::LocalSlam(const ScanLog& log, const LocalSlamOptions& options)
@@ -115,12 +119,14 @@ Pose2 LocalSlam::SubmapFromBaseByVelocity(int scan, const MatchedSubmap& submap)
          extrapolator_.PredictByVelocity(log_.scans[scan].time);
 }
 
-std::optional<LocalSlam::Doubt> LocalSlam::DoubtIn(const Pose2& odom_from_base) const {
+std::optional<LocalSlam::Doubt> LocalSlam::DoubtIn(const Pose2& odom_from_base,
+                                                   const ScanMatch& match) const {
   if (num_matched_ < kNumScansUntilVelocityIsKnown) return std::nullopt;
   Doubt doubt;
   if (extrapolator_.StandsStill(odom_from_base)) {
     doubt = {options_.standstill_min_score_ratio, 0};
-  } else if (extrapolator_.IsUnusual(odom_from_base)) {
+  } else if (match.score < kShareThatIsNotDoubted * expected_score_ &&
+             extrapolator_.IsUnusual(odom_from_base)) {
     doubt = {options_.unusual_motion_min_score_ratio, kNumScansThatTellAJump};
   }
   return doubt.min_score_ratio > 0.0 ? std::optional<Doubt>(doubt) : std::nullopt;
@@ -149,7 +155,7 @@ ScanMatch LocalSlam::MatchInDoubt(const ScanToMatch& scan, const LocalSlamResult
   }
   const ScanMatch match =
       MatchScan(scan.points, submap.grid, PriorOf(scan, result, submap), expected_score_, options_);
-  const std::optional<Doubt> doubt = DoubtIn(*result.odom_from_base);
+  const std::optional<Doubt> doubt = DoubtIn(*result.odom_from_base, match);
   if (!doubt) return match;
   ScanMatch without_odometry = MatchWithoutOdometry(scan, submap);
   if (without_odometry.start == MatchStart::kNone) return match;

@@ -61,8 +61,8 @@ class LocalSlam {
     double min_score_ratio = 0.0;  ///< how many times as much as with odometry it must score,
     int num_scans_ahead = 0;       ///< together with so many scans ahead
   };
-  /// Nothing if there is no reason to doubt odometry, which there must be.
-  std::optional<Doubt> DoubtIn(const Pose2& odom_from_base) const;
+  /// Nothing if there is no reason to doubt odometry, which led to `match`.
+  std::optional<Doubt> DoubtIn(const Pose2& odom_from_base, const ScanMatch& match) const;
   /// Where the scan matches whatever odometry says.
   ScanMatch MatchWithoutOdometry(const ScanToMatch& scan, const MatchedSubmap& submap) const;
   /// Where odometry has the scan, or if that is doubtful, where it matches without, if the robot

@@ -54,6 +54,15 @@ TEST_F(CommandTest, InfoTellsOfLogs) {
   EXPECT_THAT(run.out, HasSubstr("361, 0.5 deg apart, from -90 deg to 90 deg"));
 }
 
+TEST_F(CommandTest, InfoTellsWhereTheScannerIsWithoutTheNoiseOfDifferences) {
+  folder_.Write("turned.log",
+                "ROBOTLASER1 0 -1.57 3.14 1.57 10 0.01 0 3 1 2 3 0 "
+                "1.1000003 2.0000001 0.5 1.0 2.0 0.5 0 0 0 0 0 7.0 h 7.0\n");
+  const ProgramRun run = Run("info turned.log");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("scanner    x 0.0878 m, y -0.0479 m, turned 0 deg"));
+}
+
 TEST_F(CommandTest, InfoTellsOfRecordings) {
   const ProgramRun run = Run("info run.loopscope");
   EXPECT_EQ(run.exit_code, 0) << run.err;
