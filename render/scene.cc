@@ -9,6 +9,8 @@
 #include <vtkRenderStepsPass.h>
 #include <vtkRendererCollection.h>
 
+#include "render/flat_pass.h"
+
 namespace loopscope {
 namespace {
 
@@ -29,6 +31,12 @@ void LookFrom(const SideView& side, const FlatCamera& flat, double height, vtkRe
   camera->SetViewUp(up.x(), up.y(), up.z());
   camera->SetParallelScale(0.5 * height * flat.meters_per_pixel);
   renderer->ResetCameraClippingRange();
+}
+
+vtkSmartPointer<FlatPass> Flat(vtkRenderPass* pass) {
+  auto flat = vtkSmartPointer<FlatPass>::New();
+  flat->SetPass(pass);
+  return flat;
 }
 
 vtkSmartPointer<vtkRenderer> PanelRenderer(const Panel& panel, const Scene& scene) {
@@ -113,7 +121,12 @@ void FillRenderer(const Panel& panel, vtkRenderer* renderer) {
   // By default VTK averages translucent colours regardless of their order; these steps blend each
   // prop over those before it.
   vtkNew<vtkRenderStepsPass> steps;
+  if (!panel.side) {
+    steps->SetTranslucentPass(Flat(steps->GetTranslucentPass()));
+    steps->SetOverlayPass(Flat(steps->GetOverlayPass()));
+  }
   renderer->SetPass(steps);
+  renderer->SetPreserveDepthBuffer(!panel.side);
   SetMoving(panel, false);
   for (const LayerProp& layer : panel.props) renderer->AddViewProp(layer.prop);
   PlaceCamera(panel, renderer);

@@ -74,7 +74,7 @@ struct Panel {
 struct Scene {
   int width = 0;         ///< [px]
   int height = 0;        ///< [px]
-  int oversampling = 1;  ///< pixels of the scene for one of the picture, in each direction
+  int oversampling = 1;  ///< 1 or 2 pixels of the scene for one of the picture, each way
   Color paper;
   Props annotation;  ///< in pixels; without the edges of the panels
   std::vector<Panel> panels;

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/support/vector_targets.h"
+
 #include <cstring>
+#include <vector>
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include "core/matching/bicubic_grid.h"
 #include "core/matching/block_sums.h"
@@ -14,14 +16,6 @@
 
 namespace loopscope {
 namespace {
-
-/// The sets of instructions that the inner loops were compiled for and this processor has.
-std::vector<std::int64_t> Targets() {
-  std::vector<std::int64_t> targets;
-  std::int64_t rest = hwy::SupportedTargets() & HWY_TARGETS;
-  for (; rest != 0; rest &= rest - 1) targets.push_back(rest & -rest);
-  return targets;
-}
 
 std::int64_t BitsOf(double number) {
   std::int64_t bits = 0;
@@ -59,16 +53,9 @@ std::vector<std::int64_t> Compute(std::uint64_t seed) {
 }
 
 TEST(VectorTargets, AllComputeTheSame) {
-  const std::vector<std::int64_t> targets = Targets();
-  ASSERT_FALSE(targets.empty());
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const std::vector<std::int64_t> usual = Compute(seed);
-    for (const std::int64_t target : targets) {
-      SCOPED_TRACE(hwy::TargetName(target));
-      hwy::GetChosenTarget().Update(target);
-      EXPECT_EQ(Compute(seed), usual);
-    }
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    ForEachVectorTarget([&] { EXPECT_EQ(Compute(seed), usual); });
   }
 }
 
