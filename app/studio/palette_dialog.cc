@@ -116,8 +116,7 @@ KeysDialog::KeysDialog(QWidget* parent) : QDialog(parent) {
       grid->addWidget(new QLabel("<b>" + QString::fromStdString(menu) + "</b>"), row++, column);
     }
     grid->addWidget(new QLabel(QString::fromStdString(command.title)), row, column);
-    grid->addWidget(new QLabel("<tt>" + KeysOf(command).toHtmlEscaped() + "</tt>"), row++,
-                    column + 1);
+    grid->addWidget(new QLabel(KeysOf(command)), row++, column + 1);
   }
   grid->addWidget(new QLabel("<b>Mouse</b>"), row++, column);
   for (const auto& [what, how] :
