@@ -7,7 +7,6 @@
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QFileDialog>
-#include <QGridLayout>
 #include <QLabel>
 #include <QMimeData>
 #include <QSettings>
@@ -33,7 +32,6 @@
 namespace loopscope {
 namespace {
 
-constexpr int kMaxTiles = 4;
 constexpr int kTickMilliseconds = 30;
 constexpr int kPanelsMilliseconds = 150;
 constexpr int kLayoutVersion = 2;  // counts changes of what docks and bars there are
@@ -54,7 +52,6 @@ MainWindow::MainWindow() : docks_(this) {
   MakeDocks();
   MakeStatusBar();
   MakeTimers();
-  connect(&worker_, &SceneWorker::Drawn, this, [this](int tile) { tiles_[tile]->TakeScene(); });
   ConnectOpener();
   ConnectExporter();
   Restore();
@@ -64,26 +61,13 @@ MainWindow::MainWindow() : docks_(this) {
 // Docks tell when they are hidden, to which the window listens as long as it is whole.
 MainWindow::~MainWindow() { hide(); }
 
-QWidget* MainWindow::MakeTiles() {
-  auto* const tiles = new QWidget(this);
-  grid_ = new QGridLayout(tiles);
-  grid_->setContentsMargins(0, 0, 0, 0);
-  grid_->setSpacing(1);
-  for (int i = 0; i < kMaxTiles; ++i) {
-    tiles_.push_back(new Tile(i, &worker_, RunIn(this), tiles));
-    connect(tiles_[i], &Tile::Pointed, this,
-            [this](const QString& text) { pointer_->setText(text); });
-    connect(tiles_[i]->view(), &ViewWidget::Resized, this, [this, i] {
-      if (static_cast<std::size_t>(i) < num_tiles_shown_) tiles_[i]->Show(session_);
-    });
-  }
-  return tiles;
-}
-
 QWidget* MainWindow::MakeCentral() {
   pages_ = new QStackedWidget(this);
   pages_->addWidget(new StartPage(RunIn(this), this));
-  pages_->addWidget(MakeTiles());
+  tiles_ = new TileGrid(session_, &worker_, RunIn(this), this);
+  connect(tiles_, &TileGrid::Pointed, this,
+          [this](const QString& text) { pointer_->setText(text); });
+  pages_->addWidget(tiles_);
   message_bar_ = new MessageBar(this);
   timeline_ = new TimelineWidget(this);
   connect(timeline_, &TimelineWidget::Sought, this,
@@ -147,7 +131,7 @@ void MainWindow::MakeTables(QDockWidget* inspector) {
     QDockWidget* const dock = docks_.Add(title, tables_.back(), Qt::BottomDockWidgetArea);
     connect(tables_.back(), &TablePanel::SelectionActivated, inspector, &QWidget::raise);
     if (kind != TableKind::kLoops) continue;
-    for (Tile* const tile : tiles_) connect(tile, &Tile::Listed, dock, &QWidget::raise);
+    connect(tiles_, &TileGrid::Listed, dock, &QWidget::raise);
   }
 }
 
@@ -220,7 +204,7 @@ void MainWindow::Restore() {
 void MainWindow::Load(const std::string& path, const Recording& recording) {
   worker_.Load(recording);
   session_.Load(path, recording);
-  for (Tile* const tile : tiles_) tile->Forget();
+  tiles_->Forget();
   for (TablePanel* const table : tables_) table->Forget();
   inspector_->Forget();
   message_bar_->Tell("");
@@ -263,7 +247,7 @@ void MainWindow::Refresh() {
   actions_->of("file.stop_mapping")->setEnabled(is_opening);
   actions_->of("file.stop_export")->setEnabled(exporter_.IsRunning());
   actions_->of("play.toggle")->setIcon(IconOf(session_.playing() ? "play.pause" : "play.toggle"));
-  ArrangeTiles();
+  tiles_->Refresh();
   timeline_->Show(session_);
   play_bar_->Show(session_);
   layers_->Show(session_);
@@ -278,32 +262,6 @@ void MainWindow::Refresh() {
 void MainWindow::RefreshPanels() {
   inspector_->Show(session_);
   for (TablePanel* const table : tables_) table->Show(session_);
-}
-
-void MainWindow::ArrangeTiles() {
-  const std::size_t count = session_.state().tiles.size();
-  if (count != num_tiles_shown_) {
-    num_tiles_shown_ = count;
-    PlaceTiles();
-  }
-  for (std::size_t i = 0; i < count; ++i) tiles_[i]->Show(session_);
-}
-
-/// As many tiles as are shown, in rows of two.
-void MainWindow::PlaceTiles() {
-  for (const int i : {0, 1}) {
-    grid_->setRowStretch(i, 0);
-    grid_->setColumnStretch(i, 0);
-  }
-  for (std::size_t i = 0; i < tiles_.size(); ++i) {
-    grid_->removeWidget(tiles_[i]);
-    tiles_[i]->setVisible(i < num_tiles_shown_);
-    if (i >= num_tiles_shown_) continue;
-    const int row = static_cast<int>(i) / 2, column = static_cast<int>(i) % 2;
-    grid_->addWidget(tiles_[i], row, column);
-    grid_->setRowStretch(row, 1);
-    grid_->setColumnStretch(column, 1);
-  }
 }
 
 void MainWindow::Tick() {
@@ -332,13 +290,8 @@ void MainWindow::MapAgain() {
 
 void MainWindow::StopMapping() { opener_.Stop(); }
 
-ViewRequest MainWindow::PictureOfActiveTile() const {
-  const int tile = session_.state().active_tile;
-  return tiles_[tile]->asked().value_or(session_.RequestOf(tile));
-}
-
 void MainWindow::Export(const std::string& path) {
-  const ViewRequest request = PictureOfActiveTile();
+  const ViewRequest request = tiles_->PictureOfActive();
   if (!path.empty()) {
     StartExport(RenderArguments(session_.path(), request, path), QString::fromStdString(path));
     return;
@@ -355,7 +308,7 @@ void MainWindow::StartExport(const std::vector<std::string>& arguments, const QS
 void MainWindow::StopExport() { exporter_.Stop(); }
 
 void MainWindow::CopyCommandLine() {
-  const ViewRequest request = PictureOfActiveTile();
+  const ViewRequest request = tiles_->PictureOfActive();
   const std::string line =
       CommandLine(RenderArguments(session_.path(), request, ToString(request.view) + ".png"));
   QApplication::clipboard()->setText(QString::fromStdString(line));

@@ -17,9 +17,8 @@
 #include "app/studio/exporter.h"
 #include "app/studio/run_opener.h"
 #include "app/studio/scene_worker.h"
-#include "app/studio/tile.h"
+#include "app/studio/tile_grid.h"
 
-class QGridLayout;
 class QLabel;
 class QStackedWidget;
 
@@ -73,7 +72,6 @@ class MainWindow : public QMainWindow, public SessionHost {
   void closeEvent(QCloseEvent* event) override;
 
  private:
-  QWidget* MakeTiles();
   QWidget* MakeCentral();
   void MakeToolBar();
   void MakeDocks();
@@ -86,13 +84,10 @@ class MainWindow : public QMainWindow, public SessionHost {
 
   void Refresh();
   void RefreshPanels();
-  void ArrangeTiles();
-  void PlaceTiles();
   void Tick();
   void Load(const std::string& path, const Recording& recording);
   void ShowMapping();
   void StartExport(const std::vector<std::string>& arguments, const QString& path);
-  ViewRequest PictureOfActiveTile() const;
 
   Session session_;
   SceneWorker worker_;
@@ -100,10 +95,8 @@ class MainWindow : public QMainWindow, public SessionHost {
   Exporter exporter_;
   std::unique_ptr<Actions> actions_;
   Docks docks_;
-  std::vector<Tile*> tiles_;
-  std::size_t num_tiles_shown_ = 0;
   QStackedWidget* pages_ = nullptr;  // the start page, and the tiles
-  QGridLayout* grid_ = nullptr;
+  TileGrid* tiles_ = nullptr;
   TimelineWidget* timeline_ = nullptr;
   PlayBar* play_bar_ = nullptr;
   MessageBar* message_bar_ = nullptr;
