@@ -28,11 +28,13 @@ constexpr std::size_t kMaxSummands = 257;
 
 #if HWY_TARGET != HWY_SCALAR
 /// Stores the lanes of `values` that `is_wanted` names, one after the other, and returns how many.
-/// Does what CompressStore does, which copies a table of a kilobyte each time on AVX2, as GCC 12
-/// compiles Highway 1.0.3.
 template <typename Vec, typename Mask>
 std::size_t StoreSome(Vec values, Mask is_wanted, std::int32_t* to) {
   const hn::DFromV<Vec> ints;
+#if HWY_TARGET <= HWY_AVX3
+  return hn::CompressStore(values, is_wanted, ints, to);
+#else
+  // CompressStore of Highway 1.0.3 copies a table of a kilobyte each time, as GCC 12 compiles it.
   HWY_ALIGN std::int32_t lanes[hn::MaxLanes(ints)];
   HWY_ALIGN std::int32_t lane_is_wanted[hn::MaxLanes(ints)];
   hn::Store(values, ints, lanes);
@@ -43,6 +45,7 @@ std::size_t StoreSome(Vec values, Mask is_wanted, std::int32_t* to) {
     count += lane_is_wanted[lane] & 1;
   }
   return count;
+#endif
 }
 #endif
 
