@@ -39,6 +39,8 @@ std::string Sentence(MatchStart start) {
       return "where a wide search found it";
     case MatchStart::kAhead:
       return "nowhere: it shares a jump with the next that matched";
+    case MatchStart::kMotions:
+      return "nowhere: it is where its motions before have it";
   }
   return "";
 }

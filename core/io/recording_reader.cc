@@ -148,7 +148,7 @@ class Reader {
                              "ORDER BY id");
     while (table.Next()) {
       Step& step = AddStep(table);
-      if (!table.IsNull(2)) step.match_start = table.EnumUpTo(MatchStart::kAhead, 2);
+      if (!table.IsNull(2)) step.match_start = table.EnumUpTo(MatchStart::kMotions, 2);
       const std::string where = fmt::format("step {}", table.Int(0));
       ByteReader in(table.Bytes(3), path_, where);
       poses.Get(&in, &step);

@@ -95,7 +95,7 @@ void LocalSlam::Match(int scan, LocalSlamResult* result) {
   }
   const bool is_as_measured = result->odom_from_base && match.start == MatchStart::kPrior;
   const bool is_held =
-      match.start != MatchStart::kNone && HoldsAhead(*points, match.submap_from_base, active->grid);
+      !MatchedNowhere(match.start) && HoldsAhead(*points, match.submap_from_base, active->grid);
   result->motion_knowledge = {is_as_measured || is_held, is_as_measured && is_held};
 }
 
@@ -159,6 +159,9 @@ ScanMatch LocalSlam::MatchInDoubt(const ScanToMatch& scan, const LocalSlamResult
   if (!doubt) return match;
   ScanMatch without_odometry = MatchWithoutOdometry(scan, submap);
   if (without_odometry.start == MatchStart::kNone) return match;
+  if (without_odometry.start == MatchStart::kMotions && match.start != MatchStart::kNone) {
+    return match;
+  }
   const Pose2 motion_without_odometry = extrapolator_.LastPose().Inverse() *
                                         submap.local_from_submap *
                                         without_odometry.submap_from_base;

@@ -66,7 +66,7 @@ class LocalSlam {
   /// Where the scan matches whatever odometry says.
   ScanMatch MatchWithoutOdometry(const ScanToMatch& scan, const MatchedSubmap& submap) const;
   /// Where odometry has the scan, or if that is doubtful, where it matches without, if the robot
-  /// ever made a motion like that.
+  /// ever made a motion like that; where the motions before have it if it matches nowhere at all.
   ScanMatch MatchInDoubt(const ScanToMatch& scan, const LocalSlamResult& result,
                          const MatchedSubmap& submap) const;
   /// Of a scan that is not there yet, around where odometry has it; nothing if too little of it is

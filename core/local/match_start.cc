@@ -16,6 +16,8 @@ std::string ToString(MatchStart start) {
       return "by a wide search";
     case MatchStart::kAhead:
       return "nowhere: led by scans ahead";
+    case MatchStart::kMotions:
+      return "nowhere: led by motions before";
   }
   return "";
 }

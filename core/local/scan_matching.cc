@@ -138,7 +138,7 @@ ScanMatch MatchAsBefore(const PointCloud& points_in_base, const ProbabilityGrid&
   ScanMatch match =
       Refined(likeliest.submap_from_scan, points_in_base, grid, options.ceres_scan_matcher);
   if (match.score < options.recovery.min_relative_score * expected_score) {
-    match.start = MatchStart::kNone;
+    match.start = MatchStart::kMotions;
   }
   return match;
 }

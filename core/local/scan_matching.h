@@ -43,7 +43,7 @@ ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& gri
 
 /// Likewise of a scan of whose motion since the scan before, at `submap_from_base_before`, only the
 /// `prior` is known: at its most probable pose, then (CS). It is there if it matches badly, too,
-/// but as kNone.
+/// but as kMotions.
 ScanMatch MatchAsBefore(const PointCloud& points_in_base, const ProbabilityGrid& grid,
                         const Pose2& submap_from_base_before, const MotionPrior& prior,
                         double expected_score, const LocalSlamOptions& options);

@@ -228,6 +228,7 @@ TEST(BuildSceneTest, TellsWhereAMatchBeganUnlessWherePredicted) {
   EXPECT_THAT(TextsOfMatch(MatchStart::kVelocity), Contains("by the velocity"));
   EXPECT_THAT(TextsOfMatch(MatchStart::kRecovery), Contains("by a wide search"));
   EXPECT_THAT(TextsOfMatch(MatchStart::kAhead), Contains("nowhere: led by scans ahead"));
+  EXPECT_THAT(TextsOfMatch(MatchStart::kMotions), Contains("nowhere: led by motions before"));
   for (const auto start : {std::optional<MatchStart>(), std::optional(MatchStart::kPrior)}) {
     EXPECT_THAT(TextsOfMatch(start), Not(Contains("match began")));
   }

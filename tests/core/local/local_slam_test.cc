@@ -293,7 +293,7 @@ TEST(LocalSlam, IsWhereTheMotionsBeforeHaveItIfNothingElseTells) {
   for (int scan = kJumpScan - 1; scan > 0; scan -= 2) log.scans.erase(log.scans.begin() + scan);
   constexpr int kFirstInCrowd = kJumpScan / 2;
   const auto results = AddAllScans(log, options);
-  EXPECT_EQ(results[kFirstInCrowd].match_start, MatchStart::kNone);
+  EXPECT_EQ(results[kFirstInCrowd].match_start, MatchStart::kMotions);
   EXPECT_FALSE(results[kFirstInCrowd].motion_knowledge.is_known);
   EXPECT_NE(results[kFirstInCrowd].local_from_base, results[kFirstInCrowd - 1].local_from_base);
 }

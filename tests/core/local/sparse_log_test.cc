@@ -101,6 +101,28 @@ TEST(LocalSlamOfSparseLogs, DoubtsNoUnusualMotionToWhereTheScanFits) {
   EXPECT_LT(WorstStep(simulation, LoopscopePreset().trajectory_builder_2d), 0.5);
 }
 
+// The scan matches nowhere, wherever odometry has it. Neither does it where the robot would be had
+// it gone on, but there the scans ahead do.
+TEST(LocalSlamOfSparseLogs, DoubtsAJumpToWhereNothingMatches) {
+  Simulation simulation = SparseLog("loop", 1.0);
+  constexpr int kJumpScan = 40;
+  ScanLog& log = simulation.log;
+  log.scans.resize(kJumpScan + 5);
+  std::vector<float>& ranges = log.scans[kJumpScan].ranges;  // people stand around the robot
+  for (std::size_t i = 0; i < ranges.size(); ++i) ranges[i] = i / 30 % 2 == 0 ? 0.7F : 0.9F;
+  const std::size_t first = log.scans[kJumpScan - 1].num_odometry_before;
+  const Pose2 odom_from_base = log.odometry[first].odom_from_base;
+  const Pose2 jump = odom_from_base * Pose2(-1.0, 1.0, 0.5) * odom_from_base.Inverse();
+  for (std::size_t i = first; i < log.odometry.size(); ++i) {
+    log.odometry[i].odom_from_base = jump * log.odometry[i].odom_from_base;
+  }
+  const auto results = AddAllScans(log, LoopscopePreset().trajectory_builder_2d);
+  EXPECT_EQ(results[kJumpScan].match_start, MatchStart::kMotions);
+  EXPECT_FALSE(results[kJumpScan].motion_knowledge.is_known);
+  EXPECT_THAT(Motion(results, kJumpScan - 1, kJumpScan + 1),
+              PoseNear(TrueMotion(simulation, kJumpScan - 1, kJumpScan + 1), 0.3, 0.1));
+}
+
 /// To any of the first `num_scans` scans.
 bool WideWallsMakeADifference(ScanLog log, int num_scans) {
   log.scans.resize(num_scans);
