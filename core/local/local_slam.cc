@@ -126,7 +126,7 @@ std::optional<LocalSlam::Doubt> LocalSlam::DoubtIn(const Pose2& odom_from_base,
   if (extrapolator_.StandsStill(odom_from_base)) {
     doubt = {options_.standstill_min_score_ratio, 0};
   } else if (match.score < kShareThatIsNotDoubted * expected_score_ &&
-             extrapolator_.IsUnusual(odom_from_base)) {
+             (extrapolator_.IsUnusual(odom_from_base) || match.start == MatchStart::kNone)) {
     doubt = {options_.unusual_motion_min_score_ratio, kNumScansThatTellAJump};
   }
   return doubt.min_score_ratio > 0.0 ? std::optional<Doubt>(doubt) : std::nullopt;

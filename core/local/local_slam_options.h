@@ -68,7 +68,8 @@ struct LocalSlamOptions {
   double standstill_min_score_ratio = 0.0;
   /// Likewise, but together with the three scans ahead, where odometry measured a motion that it
   /// hardly ever measures, see UsualMotion, or that is like none of PastMotions, unless the scan
-  /// matches there by 80 % of what is expected. Not in Cartographer. Odometry may jump.
+  /// matches there by 80 % of what is expected; and where the scan matches nowhere. Not in
+  /// Cartographer. Odometry may jump.
   double unusual_motion_min_score_ratio = 0.0;
   /// Where no odometry predicts a scan, and scans are so sparse that the velocity does not either,
   /// the score of a pose counts times the likelihood of the motion to it, judged by those before,

@@ -157,7 +157,8 @@ Rows LocalSlamRows(LocalSlamOptions* o) {
   rows.push_back(
       {"unusual_motion_min_score_ratio", &o->unusual_motion_min_score_ratio, 0, 10, "",
        "Likewise, but together with the three scans ahead, where odometry measured a motion that "
-       "it hardly ever measures, or that the robot never made; 0: never. Not in Cartographer."});
+       "it hardly ever measures, or that the robot never made, or where the scan matches nowhere; "
+       "0: never. Not in Cartographer."});
   rows.push_back(
       {"past_motions_weight", &o->past_motions_weight, 0, 1, "",
        "Without odometry, where scans are sparse, the power to which the likelihood of a "

@@ -101,26 +101,57 @@ TEST(LocalSlamOfSparseLogs, DoubtsNoUnusualMotionToWhereTheScanFits) {
   EXPECT_LT(WorstStep(simulation, LoopscopePreset().trajectory_builder_2d), 0.5);
 }
 
+constexpr int kJumpScan = 40;
+
+/// `loop` with a scan every second, up to shortly after a jump.
+Simulation LogUpToJump() {
+  Simulation simulation = SparseLog("loop", 1.0);
+  simulation.log.scans.resize(kJumpScan + 5);
+  return simulation;
+}
+
+/// Lets odometry believe that the robot made `motion` before kJumpScan.
+void JumpBy(const Pose2& motion, ScanLog* log) {
+  const auto odom_from_base = [log](int scan) {
+    return log->odometry[log->scans[scan].num_odometry_before - 1].odom_from_base;
+  };
+  const Pose2 jump = odom_from_base(kJumpScan - 1) * motion * odom_from_base(kJumpScan).Inverse();
+  for (std::size_t i = log->scans[kJumpScan].num_odometry_before - 1; i < log->odometry.size();
+       ++i) {
+    log->odometry[i].odom_from_base = jump * log->odometry[i].odom_from_base;
+  }
+}
+
 // The scan matches nowhere, wherever odometry has it. Neither does it where the robot would be had
 // it gone on, but there the scans ahead do.
 TEST(LocalSlamOfSparseLogs, DoubtsAJumpToWhereNothingMatches) {
-  Simulation simulation = SparseLog("loop", 1.0);
-  constexpr int kJumpScan = 40;
+  Simulation simulation = LogUpToJump();
   ScanLog& log = simulation.log;
-  log.scans.resize(kJumpScan + 5);
   std::vector<float>& ranges = log.scans[kJumpScan].ranges;  // people stand around the robot
   for (std::size_t i = 0; i < ranges.size(); ++i) ranges[i] = i / 30 % 2 == 0 ? 0.7F : 0.9F;
-  const std::size_t first = log.scans[kJumpScan - 1].num_odometry_before;
-  const Pose2 odom_from_base = log.odometry[first].odom_from_base;
-  const Pose2 jump = odom_from_base * Pose2(-1.0, 1.0, 0.5) * odom_from_base.Inverse();
-  for (std::size_t i = first; i < log.odometry.size(); ++i) {
-    log.odometry[i].odom_from_base = jump * log.odometry[i].odom_from_base;
-  }
+  JumpBy(Pose2(-0.5, 1.0, 0.5), &log);
   const auto results = AddAllScans(log, LoopscopePreset().trajectory_builder_2d);
   EXPECT_EQ(results[kJumpScan].match_start, MatchStart::kMotions);
   EXPECT_FALSE(results[kJumpScan].motion_knowledge.is_known);
   EXPECT_THAT(Motion(results, kJumpScan - 1, kJumpScan + 1),
               PoseNear(TrueMotion(simulation, kJumpScan - 1, kJumpScan + 1), 0.3, 0.1));
+}
+
+TEST(LocalSlamOfSparseLogs, DoubtsAJumpThatLooksLikeAnyMotionIfNothingMatchesThere) {
+  Simulation simulation = LogUpToJump();
+  const auto turn = [&](int scan) { return TrueMotion(simulation, scan - 1, scan).rotation; };
+  int corner = 1;
+  for (int scan = 1; scan < kJumpScan; ++scan) {
+    if (std::abs(turn(scan)) > std::abs(turn(corner))) corner = scan;
+  }
+  JumpBy(TrueMotion(simulation, corner - 1, corner), &simulation.log);
+  LocalSlamOptions options = LoopscopePreset().trajectory_builder_2d;
+  options.recovery.min_gain = 1.0;  // neither the wide search nor the velocity is believed
+  options.second_prior_relative_score = 0.0;
+  const auto results = AddAllScans(simulation.log, options);
+  EXPECT_EQ(results[kJumpScan].match_start, MatchStart::kRecovery);
+  EXPECT_THAT(Motion(results, kJumpScan - 1, kJumpScan),
+              PoseNear(TrueMotion(simulation, kJumpScan - 1, kJumpScan), 0.1, 0.05));
 }
 
 /// To any of the first `num_scans` scans.
