@@ -279,7 +279,7 @@ TEST(RecordingFile, ThrowsIfItIsInconsistent) {
       {"DELETE FROM step WHERE id = 29", "steps that are not there"},
       {"DELETE FROM step WHERE id = 28 OR id = 29", "steps that are not there"},
       {"UPDATE step SET outcome = 7 WHERE id = 3", "table step: column outcome"},
-      {"UPDATE step SET match_start = 5 WHERE id = 3", "table step: column match_start"},
+      {"UPDATE step SET match_start = 6 WHERE id = 3", "table step: column match_start"},
       {"UPDATE step SET poses = x'' WHERE id = 2", "step 2"},
       {"UPDATE step SET poses = x'00' WHERE id = 2", "step 2"},
       {"UPDATE step SET poses = poses || x'00' WHERE id = 2", "step 2"},
