@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/local/local_slam.h"
@@ -17,6 +18,16 @@ inline std::vector<LocalSlamResult> AddAllScans(const ScanLog& log,
     results.push_back(slam.AddScan(scan));
   }
   return results;
+}
+
+/// Lets odometry believe that the robot made `motion` just before `scan`, besides what it did.
+inline void JumpOdometry(int scan, const Pose2& motion, ScanLog* log) {
+  const int first = log->scans[scan].num_odometry_before - 1;
+  const Pose2 odom_from_base = log->odometry[first].odom_from_base;
+  const Pose2 jump = odom_from_base * motion * odom_from_base.Inverse();
+  for (std::size_t i = first; i < log->odometry.size(); ++i) {
+    log->odometry[i].odom_from_base = jump * log->odometry[i].odom_from_base;
+  }
 }
 
 /// The true motion of the robot between two scans.

@@ -23,15 +23,7 @@ Simulation FirstScans(int num_scans) {
   return simulation;
 }
 
-/// Lets odometry believe that the robot turned by `angle` on the spot just before `scan`.
-void JumpOdometry(int scan, double angle, ScanLog* log) {
-  const int first = log->scans[scan].num_odometry_before - 1;
-  const Pose2 odom_from_base = log->odometry[first].odom_from_base;
-  const Pose2 jump = odom_from_base * Pose2(0.0, 0.0, angle) * odom_from_base.Inverse();
-  for (std::size_t i = first; i < log->odometry.size(); ++i) {
-    log->odometry[i].odom_from_base = jump * log->odometry[i].odom_from_base;
-  }
-}
+Pose2 Turn(double degrees) { return {0.0, 0.0, DegreesToRadians(degrees)}; }
 
 TEST(LocalSlam, BeginsWhereTheLocalFrameDoes) {
   const Simulation simulation = FirstScans(1);
@@ -101,7 +93,7 @@ constexpr int kJumpScan = 60;
 TEST(LocalSlam, RecoversFromAnOdometryJumpOf85Degrees) {
   for (const int jump : {2, kJumpScan}) {
     Simulation simulation = FirstScans(jump + 20);
-    JumpOdometry(jump, DegreesToRadians(85.0), &simulation.log);
+    JumpOdometry(jump, Turn(85.0), &simulation.log);
     const auto results = AddAllScans(simulation.log, SmallLoopOptions().trajectory_builder_2d);
     for (const int scan : {jump, jump + 19}) {
       EXPECT_THAT(Motion(results, jump - 1, scan),
@@ -134,7 +126,7 @@ TEST(LocalSlam, GoesOnWhereOdometryHangs) {
 
 TEST(LocalSlam, TellsWhatItKnowsOfTheMotion) {
   Simulation simulation = FirstScans(kJumpScan + 1);
-  JumpOdometry(kJumpScan, DegreesToRadians(85.0), &simulation.log);
+  JumpOdometry(kJumpScan, Turn(85.0), &simulation.log);
   const LocalSlamOptions options = SmallLoopOptions().trajectory_builder_2d;
   const auto results = AddAllScans(simulation.log, options);
   EXPECT_FALSE(results[0].motion_knowledge.is_known) << "nothing was there to match";
@@ -188,7 +180,7 @@ Pose2 MotionOverJumpWithoutRecovery(const Simulation& simulation,
                                     double second_prior_relative_score,
                                     double unusual_motion_min_score_ratio) {
   ScanLog log = simulation.log;
-  JumpOdometry(kJumpScan, DegreesToRadians(85.0), &log);
+  JumpOdometry(kJumpScan, Turn(85.0), &log);
   LocalSlamOptions options = SmallLoopOptions().trajectory_builder_2d;
   options.recovery.min_relative_score = 0.0;
   options.second_prior_relative_score = second_prior_relative_score;
@@ -238,7 +230,7 @@ ScanLog LogThroughCrowd(const Simulation& simulation) {
   ScanLog log = simulation.log;
   for (int i = 0; i < kNumScansInCrowd; ++i) {
     SeePeopleAround(i, &log.scans[kJumpScan + i]);
-    JumpOdometry(kJumpScan + i, DegreesToRadians(4.0), &log);
+    JumpOdometry(kJumpScan + i, Turn(4.0), &log);
   }
   return log;
 }

@@ -115,11 +115,8 @@ void JumpBy(const Pose2& motion, ScanLog* log) {
   const auto odom_from_base = [log](int scan) {
     return log->odometry[log->scans[scan].num_odometry_before - 1].odom_from_base;
   };
-  const Pose2 jump = odom_from_base(kJumpScan - 1) * motion * odom_from_base(kJumpScan).Inverse();
-  for (std::size_t i = log->scans[kJumpScan].num_odometry_before - 1; i < log->odometry.size();
-       ++i) {
-    log->odometry[i].odom_from_base = jump * log->odometry[i].odom_from_base;
-  }
+  const Pose2 now_from_before = odom_from_base(kJumpScan).Inverse() * odom_from_base(kJumpScan - 1);
+  JumpOdometry(kJumpScan, now_from_before * motion, log);
 }
 
 // The scan matches nowhere, wherever odometry has it. Neither does it where the robot would be had
