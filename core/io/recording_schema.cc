@@ -43,7 +43,8 @@ CREATE TABLE step (           -- what local SLAM made of a scan
   outcome INTEGER NOT NULL,   -- 0 inserted, 1 motion filtered, 2 no returns
   match_start INTEGER,        -- where its match began: 0 not matched, 1 prediction, 2 velocity in
                               -- place of odometry, 3 wide search, 4 between the scan before
-                              -- it and one ahead that matched; null if not known
+                              -- it and one ahead that matched, 5 nowhere, led by its motions
+                              -- before; null if not known
   poses BLOB NOT NULL,        -- local_from_base as extrapolated, after the correlative matcher, and
                               -- as matched, see core/io/step_codec.h
   finished_submap INTEGER     -- that this scan completed

@@ -70,7 +70,7 @@ TEST_F(CommandTest, RecordingsOfANewerSchemaOrCutOffAreRefusedByAll) {
       ExpectRefused(arguments, file + ": ");
     }
   }
-  ExpectRefused("info newer.loopscope", "schema 99, made by a newer Loopscope; expected at most 4");
+  ExpectRefused("info newer.loopscope", "schema 99, made by a newer Loopscope; expected at most 5");
 }
 
 TEST_F(CommandTest, SearchPrintsNumbersAndTreeAndDraws) {

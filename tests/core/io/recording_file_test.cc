@@ -265,9 +265,9 @@ TEST(RecordingFile, ThrowsIfTheSchemaIsNewer) {
   const TemporaryFolder folder;
   const std::string path = folder.Path("a.loopscope");
   Write(path, SmallRun(3));
-  Execute(path, "PRAGMA user_version = 5");
+  Execute(path, "PRAGMA user_version = 6");
   EXPECT_EQ(MessageOf([&] { ReadRecording(path); }),
-            path + ": recording of schema 5, made by a newer Loopscope; expected at most 4");
+            path + ": recording of schema 6, made by a newer Loopscope; expected at most 5");
 }
 
 TEST(RecordingFile, ThrowsIfItIsInconsistent) {
