@@ -54,7 +54,7 @@ HWY_INLINE hn::Vec<Numbers> Weighted(const hn::Vec<Numbers> (&values)[4],
                  hn::Add(hn::Mul(values[2], weights.of[2]), hn::Mul(values[3], weights.of[3])));
 }
 
-/// Where to write what is found; no slopes if they are null.
+/// Where to write what is found.
 struct Results {
   double* values;
   double* slopes_x;
@@ -97,7 +97,6 @@ HWY_INLINE void Interpolate(Numbers numbers, const CellValue* cells,
   };
   const Weights<Numbers> weights_x = CubicWeights(numbers, t_x);
   const Weights<Numbers> slopes_x = CubicSlopes(numbers, t_x);
-  const bool with_slopes = results.slopes_x != nullptr;
   hn::Vec<Numbers> values[4];
   hn::Vec<Numbers> slopes[4];
   for (int i = 0; i < 4; ++i) {
@@ -106,7 +105,7 @@ HWY_INLINE void Interpolate(Numbers numbers, const CellValue* cells,
                                         to_number(hn::ShiftRight<32>(row)),
                                         to_number(hn::ShiftRight<48>(row))};
     values[i] = Weighted<Numbers>(of_row, weights_x);
-    if (with_slopes) slopes[i] = Weighted<Numbers>(of_row, slopes_x);
+    slopes[i] = Weighted<Numbers>(of_row, slopes_x);
     place = hn::Add(place, hn::Set(rows, row_size));
   }
   const Weights<Numbers> weights_y = CubicWeights(numbers, t_y);
@@ -114,7 +113,6 @@ HWY_INLINE void Interpolate(Numbers numbers, const CellValue* cells,
   hn::StoreU(hn::Add(hn::Set(numbers, kMinProbability),
                      hn::Mul(hn::Set(numbers, kProbabilityStep), steps)),
              numbers, results.values);
-  if (!with_slopes) return;
   const auto per_meter = hn::Set(numbers, kProbabilityStep / resolution);
   hn::StoreU(hn::Mul(per_meter, Weighted<Numbers>(slopes, weights_y)), numbers, results.slopes_x);
   hn::StoreU(hn::Mul(per_meter, Weighted<Numbers>(values, CubicSlopes(numbers, t_y))), numbers,
@@ -141,7 +139,6 @@ void InterpolateHere(const ProbabilityGrid& grid, const Eigen::Vector2d* points,
   Results results{values, slopes_x, slopes_y};
   const auto advance = [&results](std::size_t count) {
     results.values += count;
-    if (results.slopes_x == nullptr) return;
     results.slopes_x += count;
     results.slopes_y += count;
   };
@@ -198,16 +195,14 @@ namespace loopscope {
 
 HWY_EXPORT(InterpolateHere);
 
-SmoothValues BicubicGrid::At(const PointCloud& points, bool with_slopes) const {
+SmoothValues BicubicGrid::At(const PointCloud& points) const {
   SmoothValues found;
   found.values.resize(points.size());
-  if (with_slopes) {
-    found.slopes_x.resize(points.size());
-    found.slopes_y.resize(points.size());
-  }
+  found.slopes_x.resize(points.size());
+  found.slopes_y.resize(points.size());
   HWY_DYNAMIC_DISPATCH(InterpolateHere)
-  (grid_, points.data(), points.size(), found.values.data(),
-   with_slopes ? found.slopes_x.data() : nullptr, with_slopes ? found.slopes_y.data() : nullptr);
+  (grid_, points.data(), points.size(), found.values.data(), found.slopes_x.data(),
+   found.slopes_y.data());
   return found;
 }
 

@@ -9,7 +9,7 @@
 
 namespace loopscope {
 
-/// Values of M_smooth and, if they were asked for, their derivatives by the place.
+/// Values of M_smooth and their derivatives by the place.
 struct SmoothValues {
   std::vector<double> values;
   std::vector<double> slopes_x;  ///< [1/m]
@@ -25,7 +25,7 @@ class BicubicGrid {
   explicit BicubicGrid(const ProbabilityGrid& grid) : grid_(grid) {}
 
   /// At each of `points` [m], in the frame of the grid. The same numbers on any processor.
-  SmoothValues At(const PointCloud& points, bool with_slopes) const;
+  SmoothValues At(const PointCloud& points) const;
 
  private:
   const ProbabilityGrid& grid_;

@@ -3,6 +3,7 @@
 #include "core/matching/scan_match_cost.h"
 
 #include <cmath>
+#include <utility>
 
 namespace loopscope {
 
@@ -20,17 +21,12 @@ ScanMatchCost::ScanMatchCost(const PointCloud& points_in_scan, const Probability
 bool ScanMatchCost::operator()(const double* pose, double* residuals, double* jacobian) const {
   const int num_points = static_cast<int>(points_.size());
   const int num_rows = NumResiduals();
-  const Eigen::Vector2d translation(pose[0], pose[1]);
-  const Eigen::Matrix2d rotation = Pose2(0.0, 0.0, pose[2]).RotationMatrix();
-  PointCloud places(points_.size());
-  for (int k = 0; k < num_points; ++k) places[k] = rotation * points_[k] + translation;
-  const SmoothValues smooth = smooth_.At(places, jacobian != nullptr);
+  const auto& [unused_pose, arms, smooth] = EvaluationAt(Eigen::Vector3d(pose));
   for (int k = 0; k < num_points; ++k) {
     residuals[k] = point_weight_ * (1.0 - smooth.values[k]);
     if (jacobian == nullptr) continue;
     // d (R h) / d theta is R h turned by a quarter.
-    const Eigen::Vector2d arm = places[k] - translation;
-    const double by_angle = -arm.y() * smooth.slopes_x[k] + arm.x() * smooth.slopes_y[k];
+    const double by_angle = -arms[k].y() * smooth.slopes_x[k] + arms[k].x() * smooth.slopes_y[k];
     jacobian[k] = -point_weight_ * smooth.slopes_x[k];
     jacobian[k + num_rows] = -point_weight_ * smooth.slopes_y[k];
     jacobian[k + 2 * num_rows] = -point_weight_ * by_angle;
@@ -43,6 +39,20 @@ bool ScanMatchCost::operator()(const double* pose, double* residuals, double* ja
     }
   }
   return true;
+}
+
+const ScanMatchCost::Evaluation& ScanMatchCost::EvaluationAt(const Eigen::Vector3d& pose) const {
+  if (last_ && last_->pose == pose) return *last_;
+  const Eigen::Vector2d translation = pose.head<2>();
+  const Eigen::Matrix2d rotation = Pose2(0.0, 0.0, pose.z()).RotationMatrix();
+  PointCloud arms(points_.size());
+  PointCloud places(points_.size());
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    arms[k] = rotation * points_[k];
+    places[k] = arms[k] + translation;
+  }
+  last_ = Evaluation{pose, std::move(arms), smooth_.At(places)};
+  return *last_;
 }
 
 }  // namespace loopscope

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include <Eigen/Core>
 
 #include "core/matching/bicubic_grid.h"
@@ -30,11 +32,21 @@ class ScanMatchCost {
   bool operator()(const double* pose, double* residuals, double* jacobian) const;
 
  private:
+  struct Evaluation {
+    Eigen::Vector3d pose;
+    PointCloud arms;  ///< R h_k [m]
+    SmoothValues smooth;
+  };
+
+  const Evaluation& EvaluationAt(const Eigen::Vector3d& pose) const;
+
   const PointCloud& points_;
   BicubicGrid smooth_;
   Eigen::Vector3d target_;
   Eigen::Vector3d prior_weights_;
   double point_weight_;
+  /// The solver asks for the jacobian where it asked for the residuals before.
+  mutable std::optional<Evaluation> last_;
 };
 
 }  // namespace loopscope

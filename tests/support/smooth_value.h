@@ -13,7 +13,7 @@ struct SmoothValue {
 };
 
 inline SmoothValue SmoothValueAt(const BicubicGrid& smooth, const Eigen::Vector2d& point) {
-  const SmoothValues found = smooth.At({point}, true);
+  const SmoothValues found = smooth.At({point});
   return {found.values[0], {found.slopes_x[0], found.slopes_y[0]}};
 }
 

@@ -77,9 +77,7 @@ TEST(BicubicGrid, IsTheSameAtManyPointsAsAtEach) {
     const BicubicGrid smooth(grid);
     PointCloud points;
     for (int k = 0; k < 101; ++k) points.push_back(RandomPointIn(grid, &random));
-    const SmoothValues many = smooth.At(points, true);
-    EXPECT_EQ(smooth.At(points, false).values, many.values);
-    EXPECT_TRUE(smooth.At(points, false).slopes_x.empty());
+    const SmoothValues many = smooth.At(points);
     for (std::size_t k = 0; k < points.size(); ++k) {
       const SmoothValue one = SmoothValueAt(smooth, points[k]);
       EXPECT_EQ(many.values[k], one.value);

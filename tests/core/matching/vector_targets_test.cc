@@ -31,7 +31,7 @@ std::vector<std::int64_t> Compute(std::uint64_t seed) {
       MakeSearchWindow(world.points_in_scan, world.submap_from_scan, 0.3, 0.2, 0.05);
   const PrecomputedGrids grids(world.grid, 4);
   std::vector<std::int64_t> numbers;
-  const SmoothValues smooth = BicubicGrid(world.grid).At(world.points_in_scan, true);
+  const SmoothValues smooth = BicubicGrid(world.grid).At(world.points_in_scan);
   for (const auto* values : {&smooth.values, &smooth.slopes_x, &smooth.slopes_y}) {
     for (const double value : *values) numbers.push_back(BitsOf(value));
   }
