@@ -55,16 +55,32 @@ std::size_t FindWindows(const PrecomputedGrid& grid, const CellIndex* cells, std
                         CellIndex offset, std::int32_t* places) {
   const CellIndex origin{offset.x - grid.box().min.x, offset.y - grid.box().min.y};
   std::size_t num_windows = 0;
-  std::size_t i = 0;
-#if HWY_TARGET != HWY_SCALAR
+#if HWY_TARGET == HWY_SCALAR
+  for (std::size_t i = 0; i < num_cells; ++i) {
+    const int x = cells[i].x + origin.x;
+    const int y = cells[i].y + origin.y;
+    const int column = x >> grid.height();
+    const int row = y >> grid.height();
+    if (column <= -kBlocksPerSide || column >= grid.num_columns()) continue;
+    if (row <= -kBlocksPerSide || row >= grid.num_rows()) continue;
+    places[num_windows++] = static_cast<std::int32_t>(
+        grid.PlaceOf(x & (grid.stride() - 1), y & (grid.stride() - 1), column, row));
+  }
+#else
   const hn::ScalableTag<std::int32_t> ints;
   const auto height = grid.height();
   const auto last_phase = hn::Set(ints, grid.stride() - 1);
   const auto outside = hn::Set(ints, -kBlocksPerSide);
-  for (; i + hn::Lanes(ints) <= num_cells; i += hn::Lanes(ints)) {
+  const std::size_t num_lanes = hn::Lanes(ints);
+  const std::size_t num_rest = num_cells % num_lanes;
+  CellIndex rest[hn::MaxLanes(ints)] = {};
+  std::copy(cells + num_cells - num_rest, cells + num_cells, rest);
+  for (std::size_t i = 0; i < num_cells; i += num_lanes) {
+    const std::size_t count = std::min(num_lanes, num_cells - i);
+    const CellIndex* const of_vector = count == num_lanes ? cells + i : rest;
     hn::Vec<decltype(ints)> x;
     hn::Vec<decltype(ints)> y;
-    hn::LoadInterleaved2(ints, &cells[i].x, x, y);
+    hn::LoadInterleaved2(ints, &of_vector->x, x, y);
     x = hn::Add(x, hn::Set(ints, origin.x));
     y = hn::Add(y, hn::Set(ints, origin.y));
     const auto column = hn::ShiftRightSame(x, height);
@@ -79,24 +95,15 @@ std::size_t FindWindows(const PrecomputedGrid& grid, const CellIndex* cells, std
     const auto in_strip = hn::Add(hn::ShiftLeft<kLogStripWidth>(hn::Sub(row, outside)),
                                   hn::And(column, hn::Set(ints, PrecomputedGrid::kStripStep - 1)));
     const auto place = hn::Add(hn::Mul(strip, hn::Set(ints, grid.strip_size())), in_strip);
-    if (hn::AllTrue(ints, is_inside)) {
+    const auto counts = hn::FirstN(ints, count);
+    if (hn::AllTrue(ints, hn::Or(is_inside, hn::Not(counts)))) {
       hn::StoreU(place, ints, places + num_windows);
-      num_windows += hn::Lanes(ints);
+      num_windows += count;
     } else if (!hn::AllFalse(ints, is_inside)) {
-      num_windows += StoreSome(place, is_inside, places + num_windows);
+      num_windows += StoreSome(place, hn::And(is_inside, counts), places + num_windows);
     }
   }
 #endif
-  for (; i < num_cells; ++i) {
-    const int x = cells[i].x + origin.x;
-    const int y = cells[i].y + origin.y;
-    const int column = x >> grid.height();
-    const int row = y >> grid.height();
-    if (column <= -kBlocksPerSide || column >= grid.num_columns()) continue;
-    if (row <= -kBlocksPerSide || row >= grid.num_rows()) continue;
-    places[num_windows++] = static_cast<std::int32_t>(
-        grid.PlaceOf(x & (grid.stride() - 1), y & (grid.stride() - 1), column, row));
-  }
   return num_windows;
 }
 

@@ -15,6 +15,7 @@
 #include "core/matching/search_lattice.h"
 #include "core/matching/sector_queue.h"
 #include "core/matching/start_queue.h"
+#include "core/matching/turned_scan.h"
 
 namespace loopscope {
 namespace {
@@ -46,7 +47,7 @@ class Search {
          SearchTrace* trace)
       : grids_(grids),
         window_(window),
-        points_(points),
+        scan_(window, points),
         num_points_(static_cast<int>(points.size())),
         trace_(trace),
         cells_at_angle_(2 * window.num_angular_steps + 1) {
@@ -85,7 +86,7 @@ class Search {
     start_height_ = StartHeight();
     const bool is_one_square = 2 * window_.num_linear_steps < kBlocksPerSide << start_height_;
     const bool with_bounds = trace_ == nullptr && start_height_ > 0 && !is_one_square;
-    sectors_.emplace(grids_, window_, points_, start_height_, with_bounds);
+    sectors_.emplace(grids_, window_, scan_, start_height_, with_bounds);
   }
 
   /// The start node with the highest bound, if that beats the best score.
@@ -172,7 +173,7 @@ class Search {
     ScoreSquare(
         parent.offset, {std::min(parent.offset.x + last, w), std::min(parent.offset.y + last, w)},
         parent.angle_index, parent.height - kHeightsPerBranch, parent.trace_index, &children);
-    SortByBound(&children);
+    std::sort(children.rbegin(), children.rend());
     return children;
   }
 
@@ -201,7 +202,7 @@ class Search {
     square.height = height;
     square.num_rows = NumBlocks(first.y, last.y, height);
     square.num_columns = NumBlocks(first.x, last.x, height);
-    square.sums = SumBlocks(grids_.at_height(height), CellsAt(angle_index), points_.size(), first,
+    square.sums = SumBlocks(grids_.at_height(height), CellsAt(angle_index), num_points_, first,
                             square.num_rows);
     return square;
   }
@@ -215,8 +216,8 @@ class Search {
   const CellIndex* CellsAt(int angle_index) {
     CellIndex*& cells = cells_at_angle_[angle_index + window_.num_angular_steps];
     if (cells == nullptr) {
-      cells = std::pmr::polymorphic_allocator<CellIndex>(&memory_).allocate(points_.size());
-      CellsAtAngle(window_, points_, angle_index, cells);
+      cells = std::pmr::polymorphic_allocator<CellIndex>(&memory_).allocate(num_points_);
+      scan_.CellsAt(angle_index, cells);
     }
     return cells;
   }
@@ -267,14 +268,9 @@ class Search {
     return {PoseInWindow(window_, leaf.offset, leaf.angle_index), ScoreOf(leaf.sum)};
   }
 
-  static void SortByBound(std::vector<SearchBlock>* blocks) {
-    std::stable_sort(blocks->begin(), blocks->end(),
-                     [](const SearchBlock& a, const SearchBlock& b) { return a.sum > b.sum; });
-  }
-
   const PrecomputedGrids& grids_;
   const SearchWindow& window_;
-  const PointCloud& points_;
+  const TurnedScan scan_;
   const int num_points_;
   SearchTrace* trace_;
   std::pmr::monotonic_buffer_resource memory_;  ///< of cells_at_angle_

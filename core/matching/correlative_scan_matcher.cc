@@ -9,6 +9,7 @@
 
 #include "core/matching/block_sums.h"
 #include "core/matching/search_lattice.h"
+#include "core/matching/turned_scan.h"
 
 namespace loopscope {
 namespace {
@@ -46,13 +47,14 @@ CorrelativeMatch MatchCorrelative(const PointCloud& points_in_scan, const Probab
   const SearchWindow window =
       MakeSearchWindow(points_in_scan, submap_from_scan_guess, options.linear_search_window,
                        options.angular_search_window, grid.resolution());
+  const TurnedScan scan(window, points_in_scan);
   const int radius = window.num_linear_steps;
   const int side = 2 * radius + 1;
   CorrelativeMatch best{submap_from_scan_guess, 0.0};
   for (const int angle : FromTheMiddle(window.num_angular_steps)) {
     const double turned = std::abs(angle) * window.angular_step;
     if (kHighestMean * DeltaPenalty(0.0, turned, options) <= best.score) break;
-    const std::vector<CellIndex> cells = CellsAtAngle(window, points_in_scan, angle);
+    const std::vector<CellIndex> cells = scan.CellsAt(angle);
     const std::vector<std::uint32_t> sums = SumShifted(grid, cells, radius);
     for (int k = 0; k < side * side; ++k) {
       const double mean = MeanProbability(sums[k], cells.size());

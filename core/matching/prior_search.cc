@@ -13,6 +13,7 @@
 #include "core/matching/block_sums.h"
 #include "core/matching/precomputed_grids.h"
 #include "core/matching/search_lattice.h"
+#include "core/matching/turned_scan.h"
 
 namespace loopscope {
 namespace {
@@ -33,6 +34,7 @@ class PriorSearch {
         grids_(grid, kBlockHeight + 1),
         window_(MakeSearchWindow(points, submap_from_before, prior.reach(),
                                  MotionPrior::kAngularReach, grid.resolution())),
+        scan_(window_, points),
         blocks_per_side_(2 * window_.num_linear_steps / kBlockSide + 1),
         highest_weights_(MotionPrior::kNumTurns),
         best_{submap_from_before, 0.0} {
@@ -46,7 +48,7 @@ class PriorSearch {
     std::sort(blocks_.begin(), blocks_.end());
     for (const Block& block : blocks_) {
       if (block.bound <= best_.score) break;
-      ScorePosesOf(block, CellsAtAngle(window_, points_, block.angle));
+      ScorePosesOf(block, scan_.CellsAt(block.angle));
     }
     return best_;
   }
@@ -68,7 +70,7 @@ class PriorSearch {
   void BoundBlocksAt(int angle) {
     const auto turn_bin = prior_.TurnBin(angle * window_.angular_step);
     if (!turn_bin) return;
-    const std::vector<CellIndex> cells = CellsAtAngle(window_, points_, angle);
+    const std::vector<CellIndex> cells = scan_.CellsAt(angle);
     const std::vector<float>& highest_weights = HighestWeights(*turn_bin);
     const std::size_t first_block = blocks_.size();
     for (int row = 0; row < blocks_per_side_; row += kBlocksPerSide) {
@@ -155,6 +157,7 @@ class PriorSearch {
   const MotionPrior& prior_;
   PrecomputedGrids grids_;
   SearchWindow window_;
+  TurnedScan scan_;
   int blocks_per_side_;
   std::vector<int> place_bins_;                      // of all offsets, row by row
   std::vector<std::vector<float>> highest_weights_;  // of turns that were asked for

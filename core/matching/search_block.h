@@ -16,7 +16,7 @@ struct SearchBlock {
   int sum = 0;           ///< of 8-bit values, the bound of eq. 16
   int trace_index = -1;  ///< in a SearchTrace
 
-  /// Of start nodes: the first to be branched is the greatest.
+  /// Of nodes of one height: the first to be branched is the greatest.
   friend bool operator<(const SearchBlock& a, const SearchBlock& b) {
     return std::tuple(a.sum, -a.angle_index, -a.offset.y, -a.offset.x) <
            std::tuple(b.sum, -b.angle_index, -b.offset.y, -b.offset.x);

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <vector>
-
 #include "core/grid/cell.h"
 #include "core/matching/search_trace.h"
 #include "core/sensor/range_data.h"
@@ -20,20 +18,5 @@ SearchWindow MakeSearchWindow(const PointCloud& points_in_scan, const Pose2& sub
 
 /// The pose of W at `offset` and `angle_index` (eq. 10).
 Pose2 PoseInWindow(const SearchWindow& window, CellIndex offset, int angle_index);
-
-/// The cells of the points at the guess turned by `angle_index` steps. Since the window moves in
-/// whole cells, they need only be shifted for every other pose of this angle.
-std::vector<CellIndex> CellsAtAngle(const SearchWindow& window, const PointCloud& points_in_scan,
-                                    int angle_index);
-
-/// Likewise, into `cells`, which has room for a cell of each point.
-void CellsAtAngle(const SearchWindow& window, const PointCloud& points_in_scan, int angle_index,
-                  CellIndex* cells);
-
-/// Where the points come lowest in x, and where in y, on their way from one angle of the window to
-/// another: no cell on it is lower, and none is higher by more than `last_angle` - `first_angle`
-/// + 1.
-std::vector<CellIndex> LowestCells(const SearchWindow& window, const PointCloud& points_in_scan,
-                                   int first_angle, int last_angle);
 
 }  // namespace loopscope

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/matching/block_sums.h"
-#include "core/matching/search_lattice.h"
 
 namespace loopscope {
 namespace {
@@ -20,10 +19,10 @@ constexpr int kMaxLevel = 1;
 }  // namespace
 
 SectorQueue::SectorQueue(const PrecomputedGrids& grids, const SearchWindow& window,
-                         const PointCloud& points, int start_height, bool with_bounds)
+                         const TurnedScan& scan, int start_height, bool with_bounds)
     : grids_(grids),
       window_(window),
-      points_(points),
+      scan_(scan),
       start_height_(start_height),
       with_bounds_(with_bounds) {
   const int w = window.num_linear_steps;
@@ -86,7 +85,7 @@ void SectorQueue::AddRowsOfSquare(const Sector& square, const std::vector<CellIn
 
 const std::vector<CellIndex>& SectorQueue::LowestCellsAt(int first_angle, int last_angle) {
   std::vector<CellIndex>& cells = lowest_cells_[{first_angle, last_angle}];
-  if (cells.empty()) cells = LowestCells(window_, points_, first_angle, last_angle);
+  if (cells.empty()) cells = scan_.LowestCells(first_angle, last_angle);
   return cells;
 }
 

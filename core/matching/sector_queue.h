@@ -11,7 +11,7 @@
 
 #include "core/matching/precomputed_grids.h"
 #include "core/matching/search_trace.h"
-#include "core/sensor/range_data.h"
+#include "core/matching/turned_scan.h"
 
 namespace loopscope {
 
@@ -35,7 +35,7 @@ struct Sector {
 class SectorQueue {
  public:
   /// Start nodes are at `start_height`. Without bounds each sector comes before all that have one.
-  SectorQueue(const PrecomputedGrids& grids, const SearchWindow& window, const PointCloud& points,
+  SectorQueue(const PrecomputedGrids& grids, const SearchWindow& window, const TurnedScan& scan,
               int start_height, bool with_bounds);
 
   /// Takes the sector with the highest bound, if that is `min_bound` or more.
@@ -46,12 +46,12 @@ class SectorQueue {
   /// Splits `area` into sectors of `level`.
   void AddSectors(const Sector& area, int level);
   void AddRowsOfSquare(const Sector& square, const std::vector<CellIndex>& cells);
-  /// See search_lattice; kept, for sectors of the same angles are split one after the other.
+  /// /// See TurnedScan; kept kept, for sectors of the same angles are split one after the other.
   const std::vector<CellIndex>& LowestCellsAt(int first_angle, int last_angle);
 
   const PrecomputedGrids& grids_;
   const SearchWindow& window_;
-  const PointCloud& points_;
+  const TurnedScan& scan_;
   int start_height_;
   bool with_bounds_;
   std::priority_queue<Sector> sectors_;

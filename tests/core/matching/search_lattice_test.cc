@@ -6,9 +6,7 @@
 
 #include <gmock/gmock.h>
 
-#include "tests/support/ascii_grid.h"
 #include "tests/support/pose_matchers.h"
-#include "tests/support/random_world.h"
 
 namespace loopscope {
 namespace {
@@ -54,44 +52,6 @@ TEST(PoseInWindow, LiesWholeStepsFromTheGuess) {
   EXPECT_EQ(PoseInWindow(window, {0, 0}, 0), window.submap_from_scan_guess);
   EXPECT_THAT(PoseInWindow(window, {-2, 7}, 5), PoseNear(Pose2(2.9, 4.35, 3.15), 1e-12, 1e-12));
   EXPECT_LT(PoseInWindow(window, {0, 0}, 5).rotation, 0.0);  // normalized
-}
-
-TEST(CellsAtAngle, NeedOnlyBeShiftedForTheOtherPosesOfTheAngle) {
-  Random random(1);
-  for (int i = 0; i < 20; ++i) {
-    const RandomWorld world = MakeRandomWorld(&random);
-    const SearchWindow window =
-        MakeSearchWindow(world.points_in_scan, world.submap_from_scan, 0.3, 0.2, 0.05);
-    const CellIndex offset{random.Below(13) - 6, random.Below(13) - 6};
-    const int angle = random.Below(7) - 3;
-    const std::vector<CellIndex> cells = CellsAtAngle(window, world.points_in_scan, angle);
-    ASSERT_EQ(cells.size(), world.points_in_scan.size());
-    for (std::size_t k = 0; k < cells.size(); ++k) {
-      EXPECT_EQ((CellIndex{cells[k].x + offset.x, cells[k].y + offset.y}),
-                CellOf(PoseInWindow(window, offset, angle) * world.points_in_scan[k], 0.05));
-    }
-  }
-}
-
-TEST(LowestCells, BoundThePointsAtAllAnglesBetween) {
-  Random random(3);
-  for (int i = 0; i < 20; ++i) {
-    const RandomWorld world = MakeRandomWorld(&random);
-    const SearchWindow window =
-        MakeSearchWindow(world.points_in_scan, world.submap_from_scan, 0.3, M_PI, 0.05);
-    const int first = random.Below(window.num_angular_steps) - window.num_angular_steps / 2;
-    constexpr int kNumSteps = 7;
-    const auto lowest = LowestCells(window, world.points_in_scan, first, first + kNumSteps);
-    ASSERT_EQ(lowest.size(), world.points_in_scan.size());
-    for (int angle = first; angle <= first + kNumSteps; ++angle) {
-      const std::vector<CellIndex> cells = CellsAtAngle(window, world.points_in_scan, angle);
-      for (std::size_t k = 0; k < cells.size(); ++k) {
-        const CellIndex above{cells[k].x - lowest[k].x, cells[k].y - lowest[k].y};
-        EXPECT_GE(std::min(above.x, above.y), 0);
-        EXPECT_LE(std::max(above.x, above.y), kNumSteps + 1);
-      }
-    }
-  }
 }
 
 }  // namespace

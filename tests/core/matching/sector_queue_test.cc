@@ -20,15 +20,19 @@ constexpr int kStep = 1 << kStartHeight;
 
 /// A scan of points at all distances, some of which sweep many cells as it turns.
 struct Setting {
-  explicit Setting(int seed, double linear_window) {
-    Random random(seed);
-    world = MakeRandomWorld(&random);
-    window = MakeSearchWindow(world.points_in_scan, world.submap_from_scan, linear_window, 0.7,
-                              world.grid.resolution());
-  }
+  Setting(int seed, double linear_window)
+      : random(seed),
+        world(MakeRandomWorld(&random)),
+        window(MakeSearchWindow(world.points_in_scan, world.submap_from_scan, linear_window, 0.7,
+                                world.grid.resolution())),
+        scan(window, world.points_in_scan) {}
+  Setting(const Setting&) = delete;
+  Setting& operator=(const Setting&) = delete;
 
+  Random random;
   RandomWorld world;
   SearchWindow window;
+  TurnedScan scan;
 };
 
 /// Of start nodes by offset and angle: how often they were in a sector.
@@ -38,7 +42,7 @@ using Coverage = std::map<std::tuple<int, int, int>, int>;
 void Visit(const Sector& sector, const Setting& setting, const PrecomputedGrids& grids,
            Coverage* coverage) {
   for (int angle = sector.first_angle; angle <= sector.last_angle; ++angle) {
-    const auto cells = CellsAtAngle(setting.window, setting.world.points_in_scan, angle);
+    const auto cells = setting.scan.CellsAt(angle);
     for (int y = sector.first.y; y <= sector.last.y; y += kStep) {
       for (int x = sector.first.x; x <= sector.last.x; x += kStep) {
         ++(*coverage)[{x, y, angle}];
@@ -56,7 +60,7 @@ TEST(SectorQueue, HoldsEveryStartNodeOnceWithABound) {
       SCOPED_TRACE(seed);
       const Setting setting(seed, linear_window);
       const PrecomputedGrids grids(setting.world.grid, 7);
-      SectorQueue sectors(grids, setting.window, setting.world.points_in_scan, kStartHeight, true);
+      SectorQueue sectors(grids, setting.window, setting.scan, kStartHeight, true);
       Coverage coverage;
       int last_bound = std::numeric_limits<int>::max();
       while (const auto sector = sectors.Pop(0)) {
@@ -77,7 +81,7 @@ TEST(SectorQueue, HoldsEveryStartNodeOnceWithABound) {
 TEST(SectorQueue, GivesNoneBelowTheBoundAskedFor) {
   const Setting setting(1, 4.0);
   const PrecomputedGrids grids(setting.world.grid, 7);
-  SectorQueue sectors(grids, setting.window, setting.world.points_in_scan, kStartHeight, true);
+  SectorQueue sectors(grids, setting.window, setting.scan, kStartHeight, true);
   const int best = sectors.Pop(0)->bound;
   while (const auto sector = sectors.Pop(best)) EXPECT_EQ(sector->bound, best);
   EXPECT_TRUE(sectors.Pop(0)) << "the others are still there";
@@ -86,7 +90,7 @@ TEST(SectorQueue, GivesNoneBelowTheBoundAskedFor) {
 TEST(SectorQueue, HoldsEveryStartNodeOnceWithoutBounds) {
   const Setting setting(1, 1.0);
   const PrecomputedGrids grids(setting.world.grid, 7);
-  SectorQueue sectors(grids, setting.window, setting.world.points_in_scan, kStartHeight, false);
+  SectorQueue sectors(grids, setting.window, setting.scan, kStartHeight, false);
   Coverage coverage;
   while (const auto sector = sectors.Pop(0)) Visit(*sector, setting, grids, &coverage);
   const int nodes_per_side = 2 * setting.window.num_linear_steps / kStep + 1;

@@ -11,6 +11,7 @@
 #include "core/matching/block_sums.h"
 #include "core/matching/precomputed_grids.h"
 #include "core/matching/search_lattice.h"
+#include "core/matching/turned_scan.h"
 #include "core/matching/wide_walls.h"
 #include "tests/support/random_world.h"
 
@@ -29,6 +30,7 @@ std::vector<std::int64_t> Compute(std::uint64_t seed) {
   const RandomWorld world = MakeRandomWorld(&random);
   const SearchWindow window =
       MakeSearchWindow(world.points_in_scan, world.submap_from_scan, 0.3, 0.2, 0.05);
+  const TurnedScan scan(window, world.points_in_scan);
   const PrecomputedGrids grids(world.grid, 4);
   std::vector<std::int64_t> numbers;
   const SmoothValues smooth = BicubicGrid(world.grid).At(world.points_in_scan);
@@ -38,7 +40,7 @@ std::vector<std::int64_t> Compute(std::uint64_t seed) {
   const ProbabilityGrid wide = WithWideWalls(world.grid, 0.5);
   numbers.insert(numbers.end(), wide.cells().begin(), wide.cells().end());
   for (int angle = -3; angle <= 3; ++angle) {
-    const std::vector<CellIndex> cells = CellsAtAngle(window, world.points_in_scan, angle);
+    const std::vector<CellIndex> cells = scan.CellsAt(angle);
     for (const CellIndex cell : cells) numbers.insert(numbers.end(), {cell.x, cell.y});
     for (const std::uint32_t sum : SumShifted(world.grid, cells, 3)) numbers.push_back(sum);
     for (const int height : {0, 3}) {
