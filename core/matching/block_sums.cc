@@ -184,34 +184,6 @@ std::int32_t MaxOfBlocksHere(const std::int32_t* rows, int num_rows, int num_col
 #endif
 }
 
-/// Adds the StepsAboveMin of the row of `num_shifts` cells that begins at each of `starts`.
-void SumRowsHere(const CellValue* const* starts, std::size_t num_starts, std::size_t num_shifts,
-                 std::uint32_t* sums) {
-  std::size_t done = 0;
-#if HWY_TARGET != HWY_SCALAR
-  const hn::CappedTag<std::uint32_t, kCellsPerLoad> wide;
-  const hn::Rebind<CellValue, decltype(wide)> values;
-  const auto one = hn::Set(values, 1);
-  for (; done < num_shifts; done += hn::Lanes(wide)) {
-    auto sum = hn::Zero(wide);
-    for (std::size_t i = 0; i < num_starts; ++i) {
-      const auto value = hn::LoadU(values, starts[i] + done);
-      sum = hn::Add(sum, hn::PromoteTo(wide, hn::SaturatedSub(value, one)));
-    }
-    HWY_ALIGN std::uint32_t lanes[kCellsPerLoad];
-    hn::Store(sum, wide, lanes);
-    std::copy_n(lanes, std::min(hn::Lanes(wide), num_shifts - done), sums + done);
-  }
-#endif
-  for (; done < num_shifts; ++done) {
-    std::uint32_t sum = 0;
-    for (std::size_t i = 0; i < num_starts; ++i) {
-      sum += StepsAboveMin(starts[i][done]);
-    }
-    sums[done] = sum;
-  }
-}
-
 void MaximaOfShiftedHere(std::uint8_t* values, std::size_t shift, std::size_t count) {
   const hn::ScalableTag<std::uint8_t> bytes;
   const std::size_t num_lanes = hn::Lanes(bytes);
@@ -252,7 +224,6 @@ static_assert(PrecomputedGrid::kStripStep == kBlocksPerSide, "a strip holds the 
 
 HWY_EXPORT(SumBlocksHere);
 HWY_EXPORT(MaxOfBlocksHere);
-HWY_EXPORT(SumRowsHere);
 HWY_EXPORT(MaximaOfShiftedHere);
 HWY_EXPORT(SplitEvenOddHere);
 
@@ -266,36 +237,6 @@ BlockSums SumBlocks(const PrecomputedGrid& grid, const CellIndex* cells, std::si
 std::int32_t MaxOfBlocks(const BlockSums& sums, int row, int num_rows, int num_columns) {
   return HWY_DYNAMIC_DISPATCH(MaxOfBlocksHere)(sums.data() + row * kBlocksPerSide, num_rows,
                                                num_columns);
-}
-
-std::vector<std::uint32_t> SumShifted(const ProbabilityGrid& grid,
-                                      const std::vector<CellIndex>& cells, int radius) {
-  const int side = 2 * radius + 1;
-  const CellBox& box = grid.box();
-  std::vector<std::uint32_t> sums(static_cast<std::size_t>(side) * side, 0);
-  const int padded_side = (side + kCellsPerLoad - 1) / kCellsPerLoad * kCellsPerLoad;
-  std::vector<const CellValue*> starts;  // of points whose whole window, as it is read, is known
-  starts.reserve(cells.size());
-  for (const CellIndex cell : cells) {
-    const CellIndex low{cell.x - radius, cell.y - radius};
-    if (box.Contains(low) && box.Contains({low.x + padded_side - 1, cell.y + radius})) {
-      starts.push_back(grid.cells().data() + box.FlatIndex(low));
-      continue;
-    }
-    const CellBox window = Intersection(box, {low, side, side});
-    for (int y = window.min.y; y < window.min.y + window.height; ++y) {
-      const CellValue* const values = grid.cells().data() + box.FlatIndex({window.min.x, y});
-      std::uint32_t* const row = sums.data() + (y - low.y) * side + (window.min.x - low.x);
-      for (int x = 0; x < window.width; ++x) row[x] += StepsAboveMin(values[x]);
-    }
-  }
-  std::vector<std::uint32_t> row(side);
-  for (int y = 0; y < side; ++y) {
-    HWY_DYNAMIC_DISPATCH(SumRowsHere)(starts.data(), starts.size(), row.size(), row.data());
-    for (int x = 0; x < side; ++x) sums[y * side + x] += row[x];
-    for (const CellValue*& start : starts) start += box.width;
-  }
-  return sums;
 }
 
 void MaximaOfShifted(std::uint8_t* values, std::size_t shift, std::size_t count) {

@@ -5,14 +5,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "core/grid/cell.h"
 
 namespace loopscope {
 
 class PrecomputedGrid;
-class ProbabilityGrid;
 
 // The inner loops of the searches, for whatever vectors the processor has. They compute
 // with integers only, and so give the same on all processors.
@@ -29,14 +27,6 @@ BlockSums SumBlocks(const PrecomputedGrid& grid, const CellIndex* cells, std::si
 
 /// The largest of the first `num_columns` entries of `num_rows` rows of BlockSums, from `row` on.
 std::int32_t MaxOfBlocks(const BlockSums& sums, int row, int num_rows, int num_columns);
-
-/// Rows of cells are read in steps of so many, or fewer.
-constexpr int kCellsPerLoad = 8;
-
-/// The sums of StepsAboveMin at all shifts of a square window, |x|, |y| <= `radius` cells,
-/// row-major, lowest y first.
-std::vector<std::uint32_t> SumShifted(const ProbabilityGrid& grid,
-                                      const std::vector<CellIndex>& cells, int radius);
 
 /// values[i] = max(values[i], values[i + shift]) for i = 0 ... count - 1, in this order.
 void MaximaOfShifted(std::uint8_t* values, std::size_t shift, std::size_t count);

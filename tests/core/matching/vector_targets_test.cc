@@ -11,6 +11,7 @@
 #include "core/matching/block_sums.h"
 #include "core/matching/precomputed_grids.h"
 #include "core/matching/search_lattice.h"
+#include "core/matching/shifted_sums.h"
 #include "core/matching/turned_scan.h"
 #include "core/matching/wide_walls.h"
 #include "tests/support/random_world.h"
@@ -42,7 +43,11 @@ std::vector<std::int64_t> Compute(std::uint64_t seed) {
   for (int angle = -3; angle <= 3; ++angle) {
     const std::vector<CellIndex> cells = scan.CellsAt(angle);
     for (const CellIndex cell : cells) numbers.insert(numbers.end(), {cell.x, cell.y});
-    for (const std::uint32_t sum : SumShifted(world.grid, cells, 3)) numbers.push_back(sum);
+    for (const int radius : {2, 3}) {
+      std::vector<std::uint32_t> sums((2 * radius + 1) * (2 * radius + 1), 0);
+      AddShifted(world.grid, cells.data(), cells.size(), radius, sums.data());
+      numbers.insert(numbers.end(), sums.begin(), sums.end());
+    }
     for (const int height : {0, 3}) {
       for (const int num_rows : {3, kBlocksPerSide}) {
         const BlockSums sums =
