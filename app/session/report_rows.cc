@@ -27,24 +27,6 @@ ReportRow OptionValueRow(const OptionRow& row) {
   return {row.key, rounded.size() < exact.size() ? rounded : exact, "", true, exact};
 }
 
-std::string Sentence(MatchStart start) {
-  switch (start) {
-    case MatchStart::kNone:
-      return "nowhere: it is where it was expected";
-    case MatchStart::kPrior:
-      return "where predicted";
-    case MatchStart::kVelocity:
-      return "where the velocity leads: odometry did not match";
-    case MatchStart::kRecovery:
-      return "where a wide search found it";
-    case MatchStart::kAhead:
-      return "nowhere: it shares a jump with the next that matched";
-    case MatchStart::kMotions:
-      return "nowhere: it is where its motions before have it";
-  }
-  return "";
-}
-
 }  // namespace
 
 ReportRow Row(std::string name, std::string value) {
@@ -81,7 +63,7 @@ Section MatchedPoses(const Recording& recording, int step) {
   }
   section.rows.push_back(Row("matched", PoseText(record.local_from_base)));
   if (record.match_start) {
-    section.rows.push_back(Row("match began", Sentence(*record.match_start)));
+    section.rows.push_back(Row("match began", ToString(*record.match_start)));
   }
   section.rows.push_back(Row("moved by the match",
                              DifferenceText(record.local_from_base_prior, record.local_from_base)));

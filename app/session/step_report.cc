@@ -93,7 +93,8 @@ Section ReportOnMatch(const Recording& recording, int step) {
     section.rows.push_back(Row("matched against", "nothing: first scan, or no returns in range"));
     return section;
   }
-  section.rows = {Row("matched against", "submap " + ToString(replay->submap)),
+  const std::string walls = replay->wide_walls ? ", walls a cell wider" : "";
+  section.rows = {Row("matched against", "submap " + ToString(replay->submap) + walls),
                   Row("points", std::to_string(replay->points.size())),
                   Row("score where predicted", fmt::format("{:.3f}", replay->prior_score)),
                   Row("score where matched", fmt::format("{:.3f}", replay->score))};

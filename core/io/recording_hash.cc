@@ -52,8 +52,8 @@ class Hash {
     AddAll(what, count, first_line);
   }
   void Add(const Step& step) {
-    const auto& [prior, correlative, pose, outcome, match_start, node] = step;
-    AddAll(prior, correlative, pose, outcome, match_start, node);
+    const auto& [prior, correlative, pose, outcome, match_start, wide_walls, node] = step;
+    AddAll(prior, correlative, pose, outcome, match_start, wide_walls, node);
   }
   void Add(const Node& node) {
     const auto& [step, pose, first_submap, num_submaps] = node;

@@ -143,9 +143,9 @@ class Reader {
 
   void ReadSteps() {
     StepPoseCodec poses;
-    SqliteTable table = Open("step",
-                             "SELECT id, outcome, match_start, poses, finished_submap FROM step "
-                             "ORDER BY id");
+    const std::string wide_walls = Version() < 6 ? "0" : "wide_walls";
+    SqliteTable table = Open("step", "SELECT id, outcome, match_start, poses, finished_submap, " +
+                                         wide_walls + " FROM step ORDER BY id");
     while (table.Next()) {
       Step& step = AddStep(table);
       if (!table.IsNull(2)) step.match_start = table.EnumUpTo(MatchStart::kMotions, 2);
@@ -154,6 +154,7 @@ class Reader {
       poses.Get(&in, &step);
       in.ExpectEnd();
       if (!table.IsNull(4)) steps_.back().second = SubmapId{table.Int(4)};
+      step.wide_walls = table.Int(5) != 0;
     }
   }
 

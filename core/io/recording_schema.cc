@@ -47,7 +47,8 @@ CREATE TABLE step (           -- what local SLAM made of a scan
                               -- before; null if not known
   poses BLOB NOT NULL,        -- local_from_base as extrapolated, after the correlative matcher, and
                               -- as matched, see core/io/step_codec.h
-  finished_submap INTEGER     -- that this scan completed
+  finished_submap INTEGER,    -- that this scan completed
+  wide_walls INTEGER NOT NULL -- 1 if the walls that it was matched against were a cell wider
 );
 CREATE TABLE node (           -- a scan that was inserted
   id INTEGER PRIMARY KEY,     -- from 0

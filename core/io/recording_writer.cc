@@ -70,6 +70,7 @@ class RecordingWriter::Statements {
     if (step.match_start) insert_step_.bind(3, static_cast<int>(*step.match_start));
     insert_step_.bind(4, poses.bytes().data(), static_cast<int>(poses.bytes().size()));
     if (update.finished_submap) insert_step_.bind(5, update.finished_submap->index);
+    insert_step_.bind(6, step.wide_walls ? 1 : 0);
     Run(insert_step_);
   }
 
@@ -114,7 +115,7 @@ class RecordingWriter::Statements {
   }
 
   SQLite::Database database_;
-  SQLite::Statement insert_step_{database_, "INSERT INTO step VALUES (?, ?, ?, ?, ?)"};
+  SQLite::Statement insert_step_{database_, "INSERT INTO step VALUES (?, ?, ?, ?, ?, ?)"};
   SQLite::Statement insert_submap_{database_, "INSERT INTO submap VALUES (?, ?, ?, ?, ?, ?)"};
   SQLite::Statement insert_node_{database_, "INSERT INTO node VALUES (?, ?, ?, ?, ?, ?, ?)"};
   SQLite::Statement insert_candidates_{database_, "INSERT INTO loop_candidates VALUES (?, ?)"};

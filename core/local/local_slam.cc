@@ -75,6 +75,7 @@ void LocalSlam::Match(int scan, LocalSlamResult* result) {
   const bool may_be_held_back = !result->odom_from_base || scan_to_match.is_far_from_before;
   if (options_.share_beside_walls > 0.0 && may_be_held_back) {
     wide_walls = WithWideWalls(active->grid, options_.share_beside_walls);
+    result->wide_walls = true;
   }
   const Pose2& local_from_submap = active->local_from_submap;
   const MatchedSubmap submap{local_from_submap, wide_walls ? *wide_walls : active->grid};

@@ -20,6 +20,7 @@ struct LocalSlamResult {
   std::optional<Pose2> local_from_base_correlative;  ///< after the correlative matcher, if it ran
   Pose2 local_from_base;                             ///< after (CS), or extrapolated
   MatchStart match_start = MatchStart::kNone;
+  bool wide_walls = false;           ///< whether it was matched WithWideWalls
   MotionKnowledge motion_knowledge;  ///< of the motion since the scan before
   bool has_returns = false;
   RangeData range_data;                               ///< in the frame of the robot

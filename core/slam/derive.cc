@@ -10,6 +10,7 @@
 #include "core/grid/ray_cast.h"
 #include "core/local/scan_preparation.h"
 #include "core/matching/match_score.h"
+#include "core/matching/wide_walls.h"
 
 namespace loopscope {
 namespace {
@@ -137,13 +138,16 @@ std::optional<MatchReplay> ReplayMatch(const Recording& recording, int step) {
   if (points.empty()) return std::nullopt;
   const Step& record = recording.step(step);
   const Pose2 submap_from_local = recording.submap(*submap).local_from_submap.Inverse();
-  MatchReplay replay{
-      *submap,
-      GridOfSubmap(recording, *submap, NumNodesOfSubmapAfterStep(recording, *submap, step - 1)),
-      std::move(points),
-      submap_from_local * record.local_from_base_prior,
-      std::nullopt,
-      submap_from_local * record.local_from_base};
+  ProbabilityGrid grid =
+      GridOfSubmap(recording, *submap, NumNodesOfSubmapAfterStep(recording, *submap, step - 1));
+  if (record.wide_walls) grid = WithWideWalls(grid, LocalOptions(recording).share_beside_walls);
+  MatchReplay replay{*submap,
+                     std::move(grid),
+                     record.wide_walls,
+                     std::move(points),
+                     submap_from_local * record.local_from_base_prior,
+                     std::nullopt,
+                     submap_from_local * record.local_from_base};
   if (record.local_from_base_correlative) {
     replay.submap_from_base_correlative = submap_from_local * *record.local_from_base_correlative;
   }

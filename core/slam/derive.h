@@ -47,8 +47,10 @@ std::vector<Constraint> ConstraintsOf(const Recording& recording, const MapState
 /// How one scan was matched (local SLAM), in the frame of the submap it was matched against.
 struct MatchReplay {
   SubmapId submap;
-  ProbabilityGrid grid;  ///< of the submap before the scan was inserted
-  PointCloud points;     ///< in the frame of the robot, as given to the matchers
+  ProbabilityGrid
+      grid;  ///< of the submap before the scan was inserted; if `wide_walls`, with these
+  bool wide_walls = false;  ///< see WithWideWalls
+  PointCloud points;        ///< in the frame of the robot, as given to the matchers
   Pose2 submap_from_base_prior;
   std::optional<Pose2> submap_from_base_correlative;
   Pose2 submap_from_base;

@@ -31,7 +31,8 @@ struct Step {
   Pose2 local_from_base;                             ///< after (CS)
   StepOutcome outcome = StepOutcome::kNoReturns;
   std::optional<MatchStart> match_start;  ///< unless an older Loopscope made the recording
-  std::optional<NodeId> node;             ///< set if inserted
+  bool wide_walls = false;     ///< it was matched WithWideWalls; older recordings do not tell
+  std::optional<NodeId> node;  ///< set if inserted
 };
 
 /// A scan that was inserted. Its pose in each of its submaps is the INTRA_SUBMAP constraint.

@@ -15,6 +15,7 @@ Step ToStep(const LocalSlamResult& local) {
   step.local_from_base_correlative = local.local_from_base_correlative;
   step.local_from_base = local.local_from_base;
   step.match_start = local.match_start;
+  step.wide_walls = local.wide_walls;
   step.outcome = local.insertion     ? StepOutcome::kInserted
                  : local.has_returns ? StepOutcome::kMotionFiltered
                                      : StepOutcome::kNoReturns;

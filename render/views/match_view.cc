@@ -63,6 +63,7 @@ Annotation Describe(const Recording& recording, int step, const MatchReplay& mat
                       {"score predicted", fmt::format("{:.3f}", match.prior_score)},
                       {"score refined", fmt::format("{:.3f}", match.score)},
                       {"points", fmt::format("{}", match.points.size())}};
+  if (match.wide_walls) annotation.facts.push_back({"walls", "a cell wider"});
   const MatchStart start = recording.step(step).match_start.value_or(MatchStart::kPrior);
   if (start != MatchStart::kPrior) annotation.facts.push_back({"match began", ToString(start)});
   return annotation;

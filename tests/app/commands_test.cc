@@ -70,7 +70,7 @@ TEST_F(CommandTest, RecordingsOfANewerSchemaOrCutOffAreRefusedByAll) {
       ExpectRefused(arguments, file + ": ");
     }
   }
-  ExpectRefused("info newer.loopscope", "schema 99, made by a newer Loopscope; expected at most 5");
+  ExpectRefused("info newer.loopscope", "schema 99, made by a newer Loopscope; expected at most 6");
 }
 
 TEST_F(CommandTest, SearchPrintsNumbersAndTreeAndDraws) {

@@ -57,6 +57,7 @@ class SmallRun {
     update.step.local_from_base_prior = AnyPose();
     if (step % 2 == 1) update.step.local_from_base_correlative = AnyPose();
     update.step.local_from_base = AnyPose();
+    update.step.wide_walls = step % 3 == 0;
     if (step % 7 != 0) update.step.match_start = static_cast<MatchStart>(step % 5);
     update.step.outcome = step % 6 == 2 ? StepOutcome::kNoReturns : StepOutcome::kMotionFiltered;
     if (step % 3 != 2) AddNode(step, &update);

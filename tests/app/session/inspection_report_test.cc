@@ -94,7 +94,7 @@ TEST(ReportOnStep, TellsOfTheScanAndItsMatch) {
 
 TEST(ReportOnStep, TellsThatTheFirstScanWasNotMatched) {
   const InspectionReport report = ReportOnStep(SmallLoopRun(), StateAfterStep(SmallLoopRun(), 0));
-  EXPECT_EQ(ValueOf(report, "match began"), "nowhere: it is where it was expected");
+  EXPECT_EQ(ValueOf(report, "match began"), "nowhere: not matched");
 }
 
 TEST(ReportOnStep, TellsWhatTheScanCaused) {

@@ -261,13 +261,23 @@ TEST(RecordingFile, ReadsTheThirdSchemaWhichCalibratedTheDirectionOfOdometryAlon
   EXPECT_EQ(ReadRecording(path).options().trajectory_builder_2d.odometry_calibration_memory, 7.0);
 }
 
+TEST(RecordingFile, ReadsTheFifthSchemaWhichDidNotTellOfWideWalls) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Path("a.loopscope");
+  Write(path, SmallRun(25));
+  Execute(path, "ALTER TABLE step DROP COLUMN wide_walls; PRAGMA user_version = 5");
+  const Recording read = ReadRecording(path);
+  ASSERT_EQ(read.num_steps(), 25);
+  EXPECT_FALSE(read.step(24).wide_walls);
+}
+
 TEST(RecordingFile, ThrowsIfTheSchemaIsNewer) {
   const TemporaryFolder folder;
   const std::string path = folder.Path("a.loopscope");
   Write(path, SmallRun(3));
-  Execute(path, "PRAGMA user_version = 6");
+  Execute(path, "PRAGMA user_version = 7");
   EXPECT_EQ(MessageOf([&] { ReadRecording(path); }),
-            path + ": recording of schema 6, made by a newer Loopscope; expected at most 5");
+            path + ": recording of schema 7, made by a newer Loopscope; expected at most 6");
 }
 
 TEST(RecordingFile, ThrowsIfItIsInconsistent) {

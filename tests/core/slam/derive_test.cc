@@ -114,6 +114,7 @@ TEST(ReplayMatch, MatchesAgainToTheRecordedPoseBitForBit) {
     SCOPED_TRACE(step);
     const auto replay = ReplayMatch(recording, step);
     ASSERT_TRUE(replay);
+    EXPECT_FALSE(replay->wide_walls);
     // With nothing expected of the score, nothing is searched for widely.
     const ScanMatch match =
         MatchScan(replay->points, replay->grid, {replay->submap_from_base_prior, true, {}}, 0.0,
@@ -128,6 +129,28 @@ TEST(ReplayMatch, MatchesAgainToTheRecordedPoseBitForBit) {
     ++num_replayed;
   }
   EXPECT_GT(num_replayed, 30);
+}
+
+TEST(ReplayMatch, HasTheWallsThatTheScanWasMatchedAgainst) {
+  Options options = SmallLoopOptions();
+  options.trajectory_builder_2d.use_odometry = false;  // so that they are wider
+  const Recording recording = MapLog(SimulateSmallLoop().log, options);
+  ASSERT_GT(options.trajectory_builder_2d.share_beside_walls, 0.0);
+  int num_replayed = 0;
+  for (int step = 10; step < recording.num_steps(); step += 5) {
+    if (recording.step(step).match_start != MatchStart::kPrior) continue;
+    SCOPED_TRACE(step);
+    const auto replay = ReplayMatch(recording, step);
+    ASSERT_TRUE(replay);
+    EXPECT_TRUE(replay->wide_walls);
+    const ScanMatch match =
+        MatchScan(replay->points, replay->grid, {replay->submap_from_base_prior, false, {}}, 0.0,
+                  options.trajectory_builder_2d);
+    // The mapper began where the velocity had the robot before that was rounded.
+    EXPECT_THAT(match.submap_from_base, PoseNear(replay->submap_from_base, 1e-3, 1e-3));
+    ++num_replayed;
+  }
+  EXPECT_GT(num_replayed, 10);
 }
 
 TEST(ReplayMatch, TellsWherePriorAndMatchStandInTheSubmap) {
