@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/mapping.h"
 
+#include <stdexcept>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "core/io/file_error.h"
 #include "core/slam/slam.h"
 
 namespace loopscope {
@@ -17,6 +21,15 @@ int NumAccepted(const std::vector<LoopCandidate>& candidates) {
   return num_accepted;
 }
 
+/// Throws what the data caused as FileError.
+SlamUpdate AddScan(const ScanLog& log, int scan, Slam* slam) {
+  try {
+    return slam->AddScan(scan);
+  } catch (const std::length_error& error) {
+    throw FileError(log.name, fmt::format("scan {}: {}", scan, error.what()));
+  }
+}
+
 }  // namespace
 
 Recording MapLog(const ScanLog& log, const Options& options, int num_threads,
@@ -26,7 +39,7 @@ Recording MapLog(const ScanLog& log, const Options& options, int num_threads,
   MappingProgress progress;
   progress.num_scans = static_cast<int>(log.scans.size());
   for (int scan = 0; scan < progress.num_scans; ++scan) {
-    SlamUpdate update = slam.AddScan(scan);
+    SlamUpdate update = AddScan(log, scan, &slam);
     if (writer != nullptr) writer->Append(update);
     ++progress.num_steps;
     progress.num_nodes += update.node ? 1 : 0;

@@ -22,7 +22,8 @@ struct MappingProgress {
 using MappingObserver = std::function<bool(const SlamUpdate&, const MappingProgress&)>;
 
 /// Maps a log and writes the recording, if `writer` is given, while it comes about. `num_threads`
-/// >= 1 searches run in the background. Throws FileError if the recording cannot be written.
+/// >= 1 searches run in the background. Throws FileError if the recording cannot be
+/// written, or if a scan leads so far that its submap does not fit in memory.
 Recording MapLog(const ScanLog& log, const Options& options, int num_threads,
                  RecordingWriter* writer, const MappingObserver& observer);
 

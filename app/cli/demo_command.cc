@@ -1,20 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <system_error>
-#include <thread>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "app/cli/commands.h"
-#include "app/cli/progress_bar.h"
+#include "app/cli/map_to_file.h"
 #include "app/cli/run_arguments.h"
 #include "core/evaluation/relations.h"
 #include "core/evaluation/trajectory_error.h"
@@ -45,24 +43,6 @@ void MakeFolder(const std::string& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw FileError(folder, "cannot be made: " + error.message());
-}
-
-/// Nothing if the user interrupted it.
-std::optional<Recording> Map(const ScanLog& log, const std::string& path) {
-  const Options options = LoopscopePreset();
-  RecordingWriter writer(path, log, options);
-  const InterruptGuard guard;
-  ProgressBar bar;
-  const int num_threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  Recording recording = MapLog(log, options, num_threads, &writer,
-                               [&](const SlamUpdate&, const MappingProgress& progress) {
-                                 bar.Show(progress);
-                                 return !InterruptGuard::interrupted();
-                               });
-  bar.End();
-  if (InterruptGuard::interrupted()) return std::nullopt;
-  writer.Finish(bar.seconds());
-  return recording;
 }
 
 void Tell(const std::string& path, const std::string& what) {
@@ -122,16 +102,13 @@ int RunDemo(const DemoArguments& arguments) {
   const std::string run = arguments.folder + "/office.loopscope";
   fmt::print("Mapping the bundled log, {} scans of a simulated office.\n", log.scans.size());
   std::fflush(stdout);
-  const std::optional<Recording> recording = Map(log, run);
-  if (!recording) {
-    fmt::print(stderr, "loopscope: interrupted; {} holds the scans until then\n", run);
-    return 1;
-  }
+  const MappedFile mapped = MapToFile(log, LoopscopePreset(), DefaultNumThreads(), run);
+  if (mapped.was_interrupted) return 1;
   fmt::print("In {}:\n", fs::absolute(arguments.folder).lexically_normal().string());
   Tell(run, "recording: look at it with loopscope info, render, why, ...");
-  Export(*recording, arguments.folder);
-  DrawAll(*recording, arguments.folder);
-  CompareWithTruth(*recording);
+  Export(mapped.recording, arguments.folder);
+  DrawAll(mapped.recording, arguments.folder);
+  CompareWithTruth(mapped.recording);
   return 0;
 }
 

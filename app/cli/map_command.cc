@@ -4,14 +4,13 @@
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <thread>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "app/cli/commands.h"
+#include "app/cli/map_to_file.h"
 #include "app/cli/options_arguments.h"
-#include "app/cli/progress_bar.h"
 #include "core/io/carmen_log.h"
 
 namespace loopscope {
@@ -21,7 +20,7 @@ struct MapArguments {
   std::string log;
   std::string output;
   OptionsArguments options;
-  int num_threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  int num_threads = DefaultNumThreads();
 };
 
 /// RUN.loopscope in the current folder for a/b/RUN.log.gz.
@@ -65,20 +64,9 @@ int RunMap(const MapArguments& arguments) {
   PrintNotes(log);
   const std::string output =
       arguments.output.empty() ? DefaultOutput(arguments.log) : arguments.output;
-  RecordingWriter writer(output, log, options);
-  const InterruptGuard guard;
-  ProgressBar bar;
-  const Recording recording = MapLog(log, options, arguments.num_threads, &writer,
-                                     [&](const SlamUpdate&, const MappingProgress& progress) {
-                                       bar.Show(progress);
-                                       return !InterruptGuard::interrupted();
-                                     });
-  bar.End();
-  if (recording.num_steps() == static_cast<int>(log.scans.size())) writer.Finish(bar.seconds());
-  PrintSummary(recording, output, bar.seconds());
-  if (!InterruptGuard::interrupted()) return 0;
-  fmt::print(stderr, "loopscope: interrupted; {} holds the scans until then\n", output);
-  return 1;
+  const MappedFile mapped = MapToFile(log, options, arguments.num_threads, output);
+  PrintSummary(mapped.recording, output, mapped.seconds);
+  return mapped.was_interrupted ? 1 : 0;
 }
 
 }  // namespace

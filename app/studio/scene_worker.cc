@@ -151,7 +151,7 @@ void SceneWorker::Draw(int tile, const Job& job, int run, Workplace* place) {
     if (job.request.view == ViewKind::kSearch) {
       drawn.search = SearchSizeOf(place->cache.get(), job.request);
     }
-  } catch (const std::invalid_argument& error) {
+  } catch (const std::exception& error) {
     drawn.error = error.what();
   }
   {

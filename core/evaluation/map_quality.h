@@ -36,7 +36,7 @@ struct MapQuality {
   double disagreement = 0.0;
 };
 
-/// Throws std::runtime_error as BuildOccupancyMap does.
+/// Throws std::length_error as BuildOccupancyMap does.
 MapQuality EvaluateMap(const Recording& recording, const MapState& state);
 
 }  // namespace loopscope

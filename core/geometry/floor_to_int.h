@@ -4,7 +4,8 @@
 
 namespace loopscope {
 
-/// std::floor, which is a call of a function on plain x86-64.
+/// The largest int that is not above `value`, which must be within a whole of some int. Cheaper
+/// than std::floor, a call of a function on plain x86-64.
 inline int FloorToInt(double value) {
   const int truncated = static_cast<int>(value);
   return truncated - (value < truncated ? 1 : 0);

@@ -3,11 +3,37 @@
 #include "core/grid/cell.h"
 
 #include <algorithm>
+#include <stdexcept>
+
+#include <fmt/format.h>
 
 namespace loopscope {
 
 bool operator==(const CellBox& a, const CellBox& b) {
   return a.min == b.min && a.width == b.width && a.height == b.height;
+}
+
+void RequireFits(const CellBox& box, double resolution, std::int64_t max_num_cells) {
+  if (box.empty() || box.num_cells() <= max_num_cells) return;
+  throw std::length_error(
+      fmt::format("a grid of {:.0f} m x {:.0f} m has more cells of {:g} m than fit in memory",
+                  resolution * box.width, resolution * box.height, resolution));
+}
+
+CellBox BoxOf(const Eigen::AlignedBox2d& extent, double resolution) {
+  if (extent.isEmpty()) return {};
+  // The difference of two indices is an index, and so is that of two differences.
+  constexpr double kMaxIndex = 2.5e8;
+  const double farthest =
+      std::max(extent.min().cwiseAbs().maxCoeff(), extent.max().cwiseAbs().maxCoeff());
+  if (!extent.sizes().allFinite() || farthest > kMaxIndex * resolution) {
+    throw std::length_error(
+        fmt::format("a place is {:.3g} m from the origin: expected at most {:g} cells of {:g} m",
+                    farthest, kMaxIndex, resolution));
+  }
+  const CellIndex min = CellOf(extent.min(), resolution);
+  const CellIndex max = CellOf(extent.max(), resolution);
+  return {min, max.x - min.x + 1, max.y - min.y + 1};
 }
 
 CellBox Union(const CellBox& a, const CellBox& b) {

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "core/geometry/floor_to_int.h"
 
@@ -20,7 +22,7 @@ struct CellIndex {
 inline bool operator==(CellIndex a, CellIndex b) { return a.x == b.x && a.y == b.y; }
 inline bool operator!=(CellIndex a, CellIndex b) { return !(a == b); }
 
-/// The cell whose pixel holds `point` [m].
+/// The cell whose pixel holds `point` [m], whose index must be one of an int.
 inline CellIndex CellOf(const Eigen::Vector2d& point, double resolution) {
   return {FloorToInt(point.x() / resolution + 0.5), FloorToInt(point.y() / resolution + 0.5)};
 }
@@ -40,12 +42,22 @@ struct CellBox {
     return cell.x >= min.x && cell.x < min.x + width && cell.y >= min.y && cell.y < min.y + height;
   }
   bool empty() const { return width <= 0 || height <= 0; }
-  int num_cells() const { return width * height; }
+  std::int64_t num_cells() const { return std::int64_t{width} * height; }
   /// Row-major place of a cell of the box.
   int FlatIndex(CellIndex cell) const { return (cell.y - min.y) * width + (cell.x - min.x); }
 };
 
 bool operator==(const CellBox& a, const CellBox& b);
+
+/// More cells of a submap are a fault of the data, such as odometry that jumps by kilometres.
+constexpr std::int64_t kMaxNumCells = std::int64_t{1} << 27;
+
+/// Throws std::length_error if `box` has more cells, of edge `resolution` [m], than that.
+void RequireFits(const CellBox& box, double resolution, std::int64_t max_num_cells = kMaxNumCells);
+
+/// The cells whose pixels hold a point of `extent` [m]. Throws std::length_error if one is farther
+/// than 2.5e8 cells from the origin.
+CellBox BoxOf(const Eigen::AlignedBox2d& extent, double resolution);
 
 /// The smallest box that holds both; an empty box holds nothing.
 CellBox Union(const CellBox& a, const CellBox& b);

@@ -10,6 +10,7 @@ namespace loopscope {
 void ProbabilityGrid::GrowToInclude(const CellBox& box) {
   const CellBox grown = Union(box_, box);
   if (grown == box_) return;
+  RequireFits(grown, resolution_);
   std::vector<CellValue> cells(grown.num_cells(), kUnknown);
   for (int row = 0; row < box_.height; ++row) {
     const auto from = cells_.begin() + static_cast<std::ptrdiff_t>(row) * box_.width;

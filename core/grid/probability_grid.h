@@ -38,7 +38,7 @@ class ProbabilityGrid {
     return v == kUnknown ? kMinProbability : ProbabilityOf(v);
   }
 
-  /// Makes room for `box`.
+  /// Makes room for `box`. Throws std::length_error if that has more than kMaxNumCells.
   void GrowToInclude(const CellBox& box);
 
   /// Applies one observation to each of `cells`, which the box must hold.

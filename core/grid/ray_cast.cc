@@ -135,11 +135,13 @@ void ForEachCrossedRow(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const
 
 /// Holds every cell that a ray may cross, and one more all around against rounding.
 CellBox BoxOfRays(const RangeData& data, double resolution) {
-  std::vector<CellIndex> ends{CellOf(data.origin, resolution)};
-  for (const Eigen::Vector2d& point : data.returns) ends.push_back(CellOf(point, resolution));
-  for (const Eigen::Vector2d& point : data.misses) ends.push_back(CellOf(point, resolution));
-  const CellBox box = BoxOf(ends);
-  return {{box.min.x - 1, box.min.y - 1}, box.width + 2, box.height + 2};
+  Eigen::AlignedBox2d extent(data.origin);
+  for (const Eigen::Vector2d& point : data.returns) extent.extend(point);
+  for (const Eigen::Vector2d& point : data.misses) extent.extend(point);
+  const CellBox cells = BoxOf(extent, resolution);
+  const CellBox box{{cells.min.x - 1, cells.min.y - 1}, cells.width + 2, cells.height + 2};
+  RequireFits(box, resolution);
+  return box;
 }
 
 }  // namespace

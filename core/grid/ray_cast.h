@@ -12,7 +12,8 @@ namespace loopscope {
 /// from the origin to a return or to the end of a miss, exactly, not only to the nearest cell. A
 /// cell appears at most once. Hits are in the order of the returns, misses row by row.
 /// Hits are also the cells of walls between returns up to `max_wall_gap` [m] apart, see
-/// PointsBetween.
+/// PointsBetween. Throws std::length_error if a ray leads so far that its cells do not fit in
+/// memory.
 ScanCells CastRays(const RangeData& data, double resolution, double max_wall_gap = 0.0);
 
 }  // namespace loopscope

@@ -103,13 +103,17 @@ Kinds GetIds(int step, Candidates* candidates, ByteReader* in) {
   LoopCandidate last;
   for (LoopCandidate& candidate : *candidates) {
     const std::uint8_t kind = in->GetByte();
-    if ((kind & kVerdictMask) > static_cast<int>(Verdict::kFromBehind)) in->Fail("no such verdict");
+    const auto verdict = static_cast<Verdict>(kind & kVerdictMask);
+    if (std::find(kRecordedVerdicts.begin(), kRecordedVerdicts.end(), verdict) ==
+        kRecordedVerdicts.end()) {
+      in->Fail("no such verdict");
+    }
     kinds.push_back(kind);
     candidate.submap.index = GetNext(last.submap.index, in);
     candidate.node.index = GetNext(last.node.index, in);
     candidate.considered_step = GetNext(last.considered_step, in);
     candidate.applied_step = step;
-    candidate.verdict = static_cast<Verdict>(kind & kVerdictMask);
+    candidate.verdict = verdict;
     candidate.whole_submap = (kind & kWholeSubmap) != 0;
     candidate.last_look = (kind & kLastLook) != 0;
     last = candidate;

@@ -19,6 +19,8 @@ bool IsFinite(const Pose2& pose) {
   return pose.translation.allFinite() && std::isfinite(pose.rotation);
 }
 
+bool IsWithin(double value, double low, double high) { return low <= value && value <= high; }
+
 bool AllFinite(const std::vector<Pose2>& poses) {
   return std::all_of(poses.begin(), poses.end(), IsFinite);
 }
@@ -31,9 +33,11 @@ Fault FaultOf(const Node& node, const std::optional<Submap>& started, const Reco
   if (node.step != recording.num_steps()) return "a node of another step";
   if (!IsFinite(node.local_from_base)) return "a node whose pose is not finite";
   if (node.num_submaps < 1 || node.num_submaps > 2 ||
-      !Within(node.first_submap.index, num_submaps) ||
-      !Within(node.first_submap.index + node.num_submaps - 1, num_submaps)) {
+      !Within(node.first_submap.index, num_submaps)) {
     return "a node in submaps that are not there";
+  }
+  if (static_cast<std::size_t>(node.first_submap.index) + node.num_submaps != num_submaps) {
+    return "a node that is not in the last submaps";
   }
   for (int i = 0; i < node.num_submaps; ++i) {
     const std::size_t index = static_cast<std::size_t>(node.first_submap.index + i);
@@ -51,17 +55,50 @@ Fault FaultOf(const Submap& submap) {
                                             : Fault("a submap whose pose is not finite");
 }
 
-Fault FaultOf(const LoopCandidate& candidate, int step, std::size_t num_submaps,
-              std::size_t num_nodes) {
-  if (!Within(candidate.submap.index, num_submaps)) return "a loop to a submap that is not there";
-  if (!Within(candidate.node.index, num_nodes)) return "a loop to a node that is not there";
-  if (candidate.considered_step < 0 || candidate.considered_step > step) {
-    return "a loop from a later step";
+/// Of the pair, which must have been there when it came up.
+Fault FaultOfPair(const LoopCandidate& candidate, const SlamUpdate& update,
+                  const Recording& recording) {
+  const int step = recording.num_steps();
+  const std::size_t num_nodes = recording.nodes().size();
+  const std::size_t num_submaps = recording.submaps().size();
+  if (!Within(candidate.submap.index, num_submaps + (update.started_submap ? 1 : 0))) {
+    return "a loop to a submap that is not there";
+  }
+  if (!Within(candidate.node.index, num_nodes + (update.node ? 1 : 0))) {
+    return "a loop to a node that is not there";
+  }
+  const auto step_of_node = [&](NodeId node) {
+    return Within(node.index, num_nodes) ? recording.node(node).step : step;
+  };
+  const int step_of_submap = Within(candidate.submap.index, num_submaps)
+                                 ? step_of_node(recording.submap(candidate.submap).first_node)
+                                 : step;
+  if (candidate.considered_step < std::max(step_of_node(candidate.node), step_of_submap)) {
+    return "a loop from a step before its node or submap";
+  }
+  if (candidate.considered_step > step) return "a loop from a later step";
+  return std::nullopt;
+}
+
+Fault FaultOfSearch(const LoopCandidate& candidate) {
+  constexpr double kMaxLinearWindow = 1e4;  // [m], far more than any search takes
+  if (!IsWithin(candidate.linear_search_window, 0.0, kMaxLinearWindow) ||
+      !IsWithin(candidate.angular_search_window, 0.0, 2.0 * M_PI)) {
+    return "a loop whose search window makes no sense";
+  }
+  for (const double score :
+       {candidate.score, candidate.score_bound, candidate.min_score, candidate.rival_score}) {
+    if (!std::isfinite(score)) return "a loop whose score is not finite";
+  }
+  if (!IsFinite(candidate.submap_from_node_guess) ||
+      !IsFinite(candidate.submap_from_node_searched) || !IsFinite(candidate.submap_from_node)) {
+    return "a loop whose pose is not finite";
   }
   return std::nullopt;
 }
 
 Fault FaultOf(const Optimization& optimization, std::size_t num_submaps, std::size_t num_nodes) {
+  if (num_nodes == 0) return "an optimization before the first node";
   if (optimization.global_from_submap.size() != num_submaps ||
       optimization.global_from_node.size() != num_nodes) {
     return "an optimization with a wrong number of poses";
@@ -69,14 +106,30 @@ Fault FaultOf(const Optimization& optimization, std::size_t num_submaps, std::si
   if (!AllFinite(optimization.global_from_submap) || !AllFinite(optimization.global_from_node)) {
     return "an optimization with poses that are not finite";
   }
+  if (!std::isfinite(optimization.drift_share.linear) ||
+      !std::isfinite(optimization.drift_share.angular)) {
+    return "an optimization with drift that is not finite";
+  }
   return std::nullopt;
 }
 
 }  // namespace
 
 Fault FaultOf(const ScanLog& log) {
+  if (!IsFinite(log.base_from_laser)) return "a scanner whose pose is not finite";
+  for (const BeamGeometry& beams : log.beam_geometries) {
+    if (!std::isfinite(beams.first_angle) || !std::isfinite(beams.angle_increment)) {
+      return "beams whose angles are not finite";
+    }
+  }
+  for (const OdometryReading& reading : log.odometry) {
+    if (!std::isfinite(reading.time) || !IsFinite(reading.odom_from_base)) {
+      return "odometry that is not finite";
+    }
+  }
   int last_num_odometry = 0;
   for (const LaserScan& scan : log.scans) {
+    if (!std::isfinite(scan.time)) return "a scan whose time is not finite";
     if (!Within(scan.beam_geometry, log.beam_geometries.size())) return "a scan without beams";
     if (static_cast<int>(scan.ranges.size()) != log.beam_geometries[scan.beam_geometry].num_beams) {
       return "a scan with a wrong number of ranges";
@@ -111,7 +164,8 @@ Fault FaultOf(const SlamUpdate& update, const Recording& recording) {
     return "a finished submap that is not there";
   }
   for (const LoopCandidate& candidate : update.candidates) {
-    if (Fault fault = FaultOf(candidate, step, num_submaps, num_nodes)) return fault;
+    if (Fault fault = FaultOfPair(candidate, update, recording)) return fault;
+    if (Fault fault = FaultOfSearch(candidate)) return fault;
   }
   if (update.optimization) return FaultOf(*update.optimization, num_submaps, num_nodes);
   return std::nullopt;

@@ -46,7 +46,7 @@ class SectorQueue {
   /// Splits `area` into sectors of `level`.
   void AddSectors(const Sector& area, int level);
   void AddRowsOfSquare(const Sector& square, const std::vector<CellIndex>& cells);
-  /// /// See TurnedScan; kept kept, for sectors of the same angles are split one after the other.
+  /// Kept, for sectors of the same angles are split one after the other.
   const std::vector<CellIndex>& LowestCellsAt(int first_angle, int last_angle);
 
   const PrecomputedGrids& grids_;

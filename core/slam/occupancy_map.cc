@@ -3,11 +3,10 @@
 #include "core/slam/occupancy_map.h"
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
-#include <stdexcept>
 
 #include <Eigen/Geometry>
-#include <fmt/format.h>
 
 #include "core/grid/probability.h"
 #include "core/grid/ray_cast.h"
@@ -19,7 +18,7 @@ namespace {
 constexpr double kHitProbability = 0.7;
 constexpr double kMissProbability = 0.4;
 
-constexpr double kMaxCells = 2.5e8;  // 1 GB
+constexpr std::int64_t kMaxMapCells = 250000000;  // 1 GB
 
 RangeData RangeDataInMap(const Recording& recording, const MapState& state, int node) {
   return Transform(state.global_from_node[node],
@@ -38,18 +37,13 @@ Eigen::AlignedBox2d ExtentOfScans(const Recording& recording, const MapState& st
   return extent;
 }
 
-CellBox BoxOf(const Eigen::AlignedBox2d& extent, double resolution) {
+/// One cell more all around, as CastRays has it against rounding.
+CellBox BoxOfMap(const Eigen::AlignedBox2d& extent, double resolution) {
   if (extent.isEmpty()) return {};
-  const Eigen::Vector2d size = extent.sizes() / resolution;
-  if (!((size.x() + 1.0) * (size.y() + 1.0) < kMaxCells)) {
-    throw std::runtime_error(
-        fmt::format("a map of {:.0f} m x {:.0f} m has more cells of {:g} m than fit in memory",
-                    extent.sizes().x(), extent.sizes().y(), resolution));
-  }
-  const CellIndex min = CellOf(extent.min(), resolution);
-  const CellIndex max = CellOf(extent.max(), resolution);
-  // One more all around, as CastRays has it against rounding.
-  return {{min.x - 1, min.y - 1}, max.x - min.x + 3, max.y - min.y + 3};
+  const CellBox cells = BoxOf(extent, resolution);
+  const CellBox box{{cells.min.x - 1, cells.min.y - 1}, cells.width + 2, cells.height + 2};
+  RequireFits(box, resolution, kMaxMapCells);
+  return box;
 }
 
 }  // namespace
@@ -57,7 +51,7 @@ CellBox BoxOf(const Eigen::AlignedBox2d& extent, double resolution) {
 OccupancyMap BuildOccupancyMap(const Recording& recording, const MapState& state) {
   OccupancyMap map;
   map.resolution = recording.options().trajectory_builder_2d.submaps.grid_resolution;
-  map.box = BoxOf(ExtentOfScans(recording, state), map.resolution);
+  map.box = BoxOfMap(ExtentOfScans(recording, state), map.resolution);
   std::vector<float>& values = map.probabilities;  // log odds, to begin with
   values.assign(map.box.num_cells(), std::numeric_limits<float>::quiet_NaN());
   const auto observe = [&](const std::vector<CellIndex>& cells, double probability) {

@@ -25,7 +25,7 @@ struct OccupancyMap {
 /// each other this turns no grid, so that walls are as thin as the poses are right. The odds of all
 /// observations of a cell are multiplied (eq. 3 without clamp, hence in any order), with those of
 /// OctoMap's sensor model (Hornung et al., Autonomous Robots 34, 2013): 0.7 for a hit, 0.4 for a
-/// miss, which decides even on cells that were seen a few times only. Throws std::runtime_error if
+/// miss, which decides even on cells that were seen a few times only. Throws std::length_error if
 /// poses are so far apart that the map would not fit in memory.
 OccupancyMap BuildOccupancyMap(const Recording& recording, const MapState& state);
 

@@ -8,8 +8,11 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include "core/io/carmen_log.h"
+#include "core/io/carmen_writer.h"
 #include "core/io/recording_file.h"
 #include "core/io/recording_hash.h"
+#include "tests/support/local_run.h"
 #include "tests/support/office_excerpt.h"
 #include "tests/support/program.h"
 
@@ -33,6 +36,18 @@ TEST(MapCommand, WritesARecordingAndASummary) {
   EXPECT_THAT(run.err, HasSubstr("100 %  40/40 scans"));
   EXPECT_EQ(ReadRecording(folder.Path("run.loopscope")).num_steps(), 40);
   EXPECT_TRUE(ReadWallSeconds(folder.Path("run.loopscope")));
+}
+
+TEST(MapCommand, EndsWhereOdometryJumpsFartherThanAGridCan) {
+  const TemporaryFolder folder;
+  folder.Write("a.log", OfficeExcerpt(40));
+  ScanLog log = ReadCarmenLog(folder.Path("a.log"));
+  JumpOdometry(20, Pose2(5000.0, 5000.0, 0.0), &log);
+  WriteCarmenLog(folder.Path("jump.log"), log);
+  const ProgramRun run = RunLoopscope(folder, "map jump.log -o a.loopscope --preset cartographer");
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.err, HasSubstr("loopscope: jump.log: scan 20: a grid of 50"));
+  EXPECT_EQ(ReadRecording(folder.Path("a.loopscope")).num_steps(), 20);
 }
 
 TEST(MapCommand, NamesTheRecordingAfterTheLog) {

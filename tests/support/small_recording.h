@@ -58,7 +58,7 @@ class SmallRun {
     if (step % 2 == 1) update.step.local_from_base_correlative = AnyPose();
     update.step.local_from_base = AnyPose();
     update.step.wide_walls = step % 3 == 0;
-    if (step % 7 != 0) update.step.match_start = static_cast<MatchStart>(step % 5);
+    if (step % 7 != 0) update.step.match_start = static_cast<MatchStart>(step % 6);
     update.step.outcome = step % 6 == 2 ? StepOutcome::kNoReturns : StepOutcome::kMotionFiltered;
     if (step % 3 != 2) AddNode(step, &update);
     if (step % 5 == 4 && num_submaps_ > 1) {
@@ -87,20 +87,23 @@ class SmallRun {
 
   LoopCandidate MakeCandidate(int step, int index) {
     LoopCandidate candidate;
-    candidate.submap = SubmapId{index % num_submaps_};
-    candidate.node = NodeId{step % num_nodes_};
+    // Of those that were there three steps before.
+    candidate.submap = SubmapId{index % (num_submaps_ - 1)};
+    candidate.node = NodeId{step % (num_nodes_ - 3)};
     candidate.considered_step = step - index;
     candidate.applied_step = step;
     if (index % 2 == 0) return candidate;  // not sampled
     candidate.whole_submap = index == 3;
+    candidate.last_look = index == 1;
     candidate.submap_from_node_guess = AnyPose();
-    candidate.verdict = index == 3 ? Verdict::kAccepted : Verdict::kBelowMinScore;
+    candidate.verdict = kRecordedVerdicts[(step + index) / 2 % kRecordedVerdicts.size()];
     candidate.score = Any();
     candidate.score_bound = Any();
     candidate.min_score = Any();
+    candidate.rival_score = Any();
     candidate.num_supporters = step;
-    candidate.linear_search_window = Any();
-    candidate.angular_search_window = Any();
+    candidate.linear_search_window = std::abs(Any());
+    candidate.angular_search_window = 0.2 * std::abs(Any());
     candidate.submap_from_node_searched = AnyPose();
     candidate.submap_from_node = Pose2(0.0, -0.0, 1.0);  // zeros have signs
     return candidate;

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/grid/cell.h"
 
+#include <limits>
+#include <stdexcept>
+
 #include <gtest/gtest.h>
 
 #include "core/simulation/random.h"
@@ -82,6 +85,19 @@ TEST(Intersection, IsNeverInsideOut) {
 TEST(BoxOf, HoldsTheCellsAndNoMore) {
   ExpectBox(BoxOf({{4, -2}, {-1, 7}, {0, 0}}), {-1, -2}, 6, 10);
   ExpectBox(BoxOf({{4, -2}}), {4, -2}, 1, 1);
+}
+
+TEST(BoxOf, HoldsTheCellsOfAnExtent) {
+  ExpectBox(BoxOf({Eigen::Vector2d(-0.12, 0.02), Eigen::Vector2d(0.13, 0.03)}, 0.05), {-2, 0}, 6,
+            2);
+  EXPECT_TRUE(BoxOf(Eigen::AlignedBox2d(), 0.05).empty());
+}
+
+TEST(BoxOf, RefusesPlacesWhoseIndexIsNoInt) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  for (const double far : {1e9, -1e300, kNan}) {
+    EXPECT_THROW(BoxOf(Eigen::AlignedBox2d(Eigen::Vector2d(0.0, far)), 0.05), std::length_error);
+  }
 }
 
 TEST(BoxOf, OfNoCellsIsEmpty) { EXPECT_TRUE(BoxOf({}).empty()); }

@@ -3,6 +3,7 @@
 #include "core/grid/probability_grid.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
@@ -28,6 +29,15 @@ TEST(ProbabilityGrid, UpdatesTheNamedCellsOnly) {
   EXPECT_EQ(Draw(grid, grid.box()), ToText({"   4",  //
                                             "  7 ",  //
                                             "7   "}));
+}
+
+TEST(ProbabilityGrid, DoesNotGrowBeyondWhatFitsInMemory) {
+  ProbabilityGrid grid(0.05);
+  grid.GrowToInclude({{0, 0}, 2, 2});
+  for (const CellBox& far : {CellBox{{0, 0}, 100000, 100000}, {{-20000, -20000}, 1, 1}}) {
+    EXPECT_THROW(grid.GrowToInclude(far), std::length_error);
+  }
+  EXPECT_EQ(grid.box(), (CellBox{{0, 0}, 2, 2}));
 }
 
 TEST(ProbabilityGrid, KeepsItsCellsRowByRowFromTheLowest) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
@@ -16,6 +17,12 @@ namespace {
 /// The cells of a scan at resolution 1, where the cell (x, y) is the unit square around (x, y).
 std::string DrawScan(const RangeData& data, const CellBox& box) {
   return Draw(CastRays(data, 1.0), box);
+}
+
+TEST(CastRays, RefusesRaysWhoseCellsDoNotFitInMemory) {
+  const RangeData data{{0.0, 0.0}, {{5000.0, 5000.0}}, {}};
+  EXPECT_THROW(CastRays(data, 0.05), std::length_error);
+  EXPECT_EQ(CastRays(data, 5.0).hits.size(), 1u);
 }
 
 /// Whether the segment meets the square of 2 * `half_width` around `center`, edges included; by

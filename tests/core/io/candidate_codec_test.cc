@@ -42,6 +42,7 @@ LoopCandidate Accepted(int submap, int node) {
   candidate.whole_submap = true;
   candidate.last_look = true;
   candidate.num_supporters = 300;
+  candidate.rival_score = 0.48;
   candidate.submap_from_node = Pose2(0.0, -0.0, 0.3);
   return candidate;
 }
@@ -57,6 +58,7 @@ void ExpectEqual(const LoopCandidate& a, const LoopCandidate& b) {
   EXPECT_EQ(a.verdict, b.verdict);
   EXPECT_EQ(a.score, b.score);
   EXPECT_EQ(a.min_score, b.min_score);
+  EXPECT_EQ(a.rival_score, b.rival_score);
   EXPECT_EQ(a.linear_search_window, b.linear_search_window);
   EXPECT_EQ(a.angular_search_window, b.angular_search_window);
   EXPECT_EQ(a.num_supporters, b.num_supporters);

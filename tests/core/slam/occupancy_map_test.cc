@@ -97,9 +97,9 @@ TEST(OccupancyMap, OfScansWithoutReturnsHasNoKnownCell) {
 
 TEST(OccupancyMap, ThatFitsInNoMemoryThrows) {
   const Recording recording = NodesBeforeAWall({Pose2(), Pose2(1e7, 1e7, 0.0)}, {0.5f, 0.5f});
-  EXPECT_THROW(MapOf(recording), std::runtime_error);
+  EXPECT_THROW(MapOf(recording), std::length_error);
   EXPECT_THROW(MapOf(NodesBeforeAWall({Pose2(), Pose2(1e300, 0.0, 0.0)}, {0.5f, 0.5f})),
-               std::runtime_error);
+               std::length_error);
 }
 
 }  // namespace

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Loopscope Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/map_to_file.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/cli/progress_bar.h"
+#include "app/mapping.h"
+
+namespace loopscope {
+
+int DefaultNumThreads() {
+  return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+MappedFile MapToFile(const ScanLog& log, const Options& options, int num_threads,
+                     const std::string& path) {
+  RecordingWriter writer(path, log, options);
+  const InterruptGuard guard;
+  ProgressBar bar;
+  Recording recording = MapLog(log, options, num_threads, &writer,
+                               [&](const SlamUpdate&, const MappingProgress& progress) {
+                                 bar.Show(progress);
+                                 return !InterruptGuard::interrupted();
+                               });
+  bar.End();
+  const double seconds = bar.seconds();
+  if (recording.num_steps() == static_cast<int>(log.scans.size())) writer.Finish(seconds);
+  if (InterruptGuard::interrupted()) {
+    fmt::print(stderr, "loopscope: interrupted; {} holds the scans until then\n", path);
+  }
+  return {std::move(recording), seconds, InterruptGuard::interrupted()};
+}
+
+}  // namespace loopscope
