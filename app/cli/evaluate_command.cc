@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -40,15 +41,15 @@ struct EvaluateArguments {
 };
 
 RelativeErrorDelta DeltaOf(const EvaluateArguments& arguments) {
+  const double delta = arguments.delta;
   const bool in_frames = arguments.delta_unit == "f";
-  if (!(arguments.delta > 0.0) || (in_frames && std::floor(arguments.delta) != arguments.delta)) {
-    throw std::invalid_argument(
-        fmt::format("--delta {}: expected metres above 0, or a number of frames with "
-                    "--delta-unit f",
-                    arguments.delta));
+  const bool is_count = std::floor(delta) == delta && delta <= std::numeric_limits<int>::max();
+  if (!(delta > 0.0) || (in_frames && !is_count)) {
+    throw std::invalid_argument(fmt::format(
+        "--delta {}: expected metres above 0, or a number of frames with --delta-unit f", delta));
   }
-  using Unit = RelativeErrorDelta::Unit;
-  return {arguments.delta, in_frames ? Unit::kFrames : Unit::kMeters};
+  if (in_frames) return DeltaInPoses{static_cast<int>(delta)};
+  return DeltaInMeters{delta};
 }
 
 Truth ReadTruth(const EvaluateArguments& arguments) {

@@ -23,6 +23,14 @@ struct Figure {
 };
 using Figures = std::vector<Figure>;
 
+/// `text` as a field of CSV (RFC 4180).
+std::string CsvField(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string field = "\"";
+  for (const char c : text) field += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return field + "\"";
+}
+
 /// What evo prints of a sample of errors, in another unit.
 void AddEvoStatistics(const std::string& name, const std::string& unit, const Statistics& errors,
                       double factor, Figures* figures) {
@@ -257,7 +265,7 @@ std::string EvaluationCsv(const std::vector<Evaluation>& evaluations) {
   for (const std::string& name : names) text += "," + name;
   text += '\n';
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    text += evaluations[i].run;
+    text += CsvField(evaluations[i].run);
     for (const std::string& name : names) {
       const std::optional<double> value = ValueOf(rows[i], name);
       text += value ? fmt::format(",{}", *value) : ",";

@@ -22,8 +22,8 @@ namespace {
 struct LoopsArguments {
   std::string run;
   std::string verdict;
-  int node = -1;
-  int submap = -1;
+  std::optional<int> node;
+  std::optional<int> submap;
   bool json = false;
   bool csv = false;
 };
@@ -35,8 +35,8 @@ struct Row {
 };
 
 bool IsWanted(const LoopCandidate& candidate, const LoopsArguments& arguments) {
-  if (arguments.node >= 0 && candidate.node.index != arguments.node) return false;
-  if (arguments.submap >= 0 && candidate.submap.index != arguments.submap) return false;
+  if (arguments.node && candidate.node.index != *arguments.node) return false;
+  if (arguments.submap && candidate.submap.index != *arguments.submap) return false;
   if (!arguments.verdict.empty()) return ToString(candidate.verdict) == arguments.verdict;
   return true;
 }
@@ -100,11 +100,16 @@ void PrintCsv(const std::vector<Row>& rows) {
       "linear_window_m,angular_window_deg,moved_m,moved_deg,supporters,residual_m,residual_deg\n");
   for (const Row& row : rows) {
     const LoopCandidate& c = *row.candidate;
-    fmt::print("{},{},{},{},{},{},{},{},{},{},{},{},", c.submap.index, c.node.index,
-               c.considered_step, c.applied_step, ToString(c.verdict), c.score, c.min_score,
-               c.score_bound, c.linear_search_window, RadiansToDegrees(c.angular_search_window),
-               HasPlace(c) ? fmt::format("{},{}", MovedMeters(c), MovedDegrees(c)) : ",",
-               c.num_supporters);
+    fmt::print("{},{},{},{},{},", c.submap.index, c.node.index, c.considered_step, c.applied_step,
+               ToString(c.verdict));
+    if (c.verdict == Verdict::kNotSampled) {
+      fmt::print(",,,,,,,,");
+    } else {
+      fmt::print("{},{},{},{},{},{},{},", c.score, c.min_score, c.score_bound,
+                 c.linear_search_window, RadiansToDegrees(c.angular_search_window),
+                 HasPlace(c) ? fmt::format("{},{}", MovedMeters(c), MovedDegrees(c)) : ",",
+                 c.num_supporters);
+    }
     if (row.residual) {
       fmt::print("{},{}\n", ResidualMeters(row), ResidualDegrees(row));
     } else {
@@ -145,8 +150,8 @@ void PrintJson(const std::vector<Row>& rows) {
 
 int RunLoops(const LoopsArguments& arguments) {
   const Recording recording = ReadRecording(arguments.run);
-  if (arguments.node >= 0) NodeOf(recording, arguments.node);
-  if (arguments.submap >= 0) SubmapOf(recording, arguments.submap);
+  if (arguments.node) NodeOf(recording, *arguments.node);
+  if (arguments.submap) SubmapOf(recording, *arguments.submap);
   const std::vector<Row> rows = Ledger(recording, arguments);
   if (arguments.json) {
     PrintJson(rows);

@@ -28,16 +28,6 @@ void AddRunArgument(CLI::App* command, std::string* run) {
       ->type_name("");
 }
 
-CLI::Option* AddStepArgument(CLI::App* command, std::optional<int>* step) {
-  return command->add_option("--step", *step, "The state after this scan (default: the last)")
-      ->type_name("N");
-}
-
-int StepOf(const Recording& recording, const std::optional<int>& step) {
-  CheckIndex("step", step.value_or(recording.num_steps() - 1), recording.num_steps());
-  return step.value_or(recording.num_steps() - 1);
-}
-
 Recording ReadRun(const std::string& path) {
   Recording recording = ReadRecording(path);
   if (recording.num_steps() == 0)

@@ -10,20 +10,12 @@
 
 namespace CLI {
 class App;
-class Option;
 }  // namespace CLI
 
 namespace loopscope {
 
 /// Adds the positional argument RUN, a recording to read.
 void AddRunArgument(CLI::App* command, std::string* run);
-
-/// Adds --step N.
-CLI::Option* AddStepArgument(CLI::App* command, std::optional<int>* step);
-
-/// The step that the user named, the last one if none. Throws std::invalid_argument that says which
-/// there are if it is not one of the recording's.
-int StepOf(const Recording& recording, const std::optional<int>& step);
 
 /// Reads a recording that has at least one step, so that there is something to show. Throws
 /// FileError.

@@ -7,9 +7,9 @@
 namespace loopscope {
 namespace {
 
-std::vector<int> FramesByCount(int num_poses, int count) {
+std::vector<int> FramesByCount(std::size_t num_poses, std::size_t count) {
   std::vector<int> frames;
-  for (int i = 0; i < num_poses; i += count) frames.push_back(i);
+  for (std::size_t i = 0; i < num_poses; i += count) frames.push_back(static_cast<int>(i));
   return frames;
 }
 
@@ -34,8 +34,10 @@ Pose2 ErrorBetween(const PosePair& first, const PosePair& second) {
 
 std::vector<int> RelativeErrorFrames(const std::vector<PosePair>& pairs,
                                      const RelativeErrorDelta& delta) {
-  if (delta.unit == RelativeErrorDelta::Unit::kMeters) return FramesByWay(pairs, delta.length);
-  return FramesByCount(static_cast<int>(pairs.size()), static_cast<int>(delta.length));
+  if (const auto* const in_poses = std::get_if<DeltaInPoses>(&delta)) {
+    return FramesByCount(pairs.size(), in_poses->count);
+  }
+  return FramesByWay(pairs, std::get<DeltaInMeters>(delta).meters);
 }
 
 std::optional<RelativeError> EvaluateRelative(const std::vector<PosePair>& pairs,

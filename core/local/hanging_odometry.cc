@@ -14,4 +14,13 @@ bool OdometryHangs(const ScanLog& log, int scan, double max_changed_share) {
          ShareOfChangedRanges(log.scans[scan - 1], log.scans[scan]) > max_changed_share;
 }
 
+std::optional<Pose2> UsedOdometry(const ScanLog& log, int scan, const LocalSlamOptions& options) {
+  if (!options.use_odometry) return std::nullopt;
+  const auto reading = OdometryOfScan(log, scan);
+  if (!reading || OdometryHangs(log, scan, options.max_changed_share_at_standstill)) {
+    return std::nullopt;
+  }
+  return reading->odom_from_base;
+}
+
 }  // namespace loopscope

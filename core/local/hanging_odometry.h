@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
+#include "core/local/local_slam_options.h"
 #include "core/sensor/scan_log.h"
 
 namespace loopscope {
@@ -9,5 +12,8 @@ namespace loopscope {
 /// Whether odometry measured no motion at all since the scan before, though more than
 /// `max_changed_share` of what the scanner sees changed.
 bool OdometryHangs(const ScanLog& log, int scan, double max_changed_share);
+
+/// odom_from_base at scan `scan`, if odometry is used, there is any, and it does not hang.
+std::optional<Pose2> UsedOdometry(const ScanLog& log, int scan, const LocalSlamOptions& options);
 
 }  // namespace loopscope

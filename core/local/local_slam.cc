@@ -42,7 +42,7 @@ LocalSlam::LocalSlam(const ScanLog& log, const LocalSlamOptions& options)
 LocalSlamResult LocalSlam::AddScan(int scan) {
   const double time = log_.scans[scan].time;
   LocalSlamResult result;
-  result.odom_from_base = OdometryOf(scan);
+  result.odom_from_base = UsedOdometry(log_, scan, options_);
   result.range_data = PrepareRangeData(log_, scan, options_);
   result.has_returns = !result.range_data.returns.empty();
   result.local_from_base_prior = Rounded(extrapolator_.Predict(time, result.odom_from_base));
@@ -56,19 +56,10 @@ LocalSlamResult LocalSlam::AddScan(int scan) {
   return result;
 }
 
-std::optional<Pose2> LocalSlam::OdometryOf(int scan) const {
-  if (!options_.use_odometry) return std::nullopt;
-  const auto reading = OdometryOfScan(log_, scan);
-  if (!reading || OdometryHangs(log_, scan, options_.max_changed_share_at_standstill)) {
-    return std::nullopt;
-  }
-  return reading->odom_from_base;
-}
-
 void LocalSlam::Match(int scan, LocalSlamResult* result) {
   const ActiveSubmap* active = active_submaps_.MatchingSubmap();
   if (active == nullptr) return;
-  const std::optional<PointCloud> points = PointsToMatch(result->range_data);
+  const std::optional<PointCloud> points = PointsToMatch(result->range_data, options_);
   if (!points) return;
   const ScanToMatch scan_to_match{scan, *points, IsFarFromBefore(scan)};
   std::optional<ProbabilityGrid> wide_walls;
@@ -179,7 +170,7 @@ ScanMatch LocalSlam::MatchInDoubt(const ScanToMatch& scan, const LocalSlamResult
 std::optional<ScanMatch> LocalSlam::MatchScanAhead(int scan, const Pose2& local_from_predicted,
                                                    const MatchedSubmap& submap,
                                                    double expected_score) const {
-  const auto points = PointsToMatch(PrepareRangeData(log_, scan, options_));
+  const auto points = PointsToMatch(PrepareRangeData(log_, scan, options_), options_);
   if (!points) return std::nullopt;
   return MatchScan(*points, submap.grid,
                    {submap.local_from_submap.Inverse() * local_from_predicted, true},
@@ -190,13 +181,15 @@ double LocalSlam::ScoreOfScansAhead(int scan, const Pose2& submap_from_base,
                                     const MatchedSubmap& submap, int num_scans) const {
   PoseExtrapolator extrapolator = extrapolator_;
   const auto add_pose = [&](int at, const Pose2& local_from_base) {
-    extrapolator.AddPose(log_.scans[at].time, local_from_base, OdometryOf(at), MotionKnowledge());
+    extrapolator.AddPose(log_.scans[at].time, local_from_base, UsedOdometry(log_, at, options_),
+                         MotionKnowledge());
   };
   add_pose(scan, submap.local_from_submap * submap_from_base);
   const int end = std::min(scan + 1 + num_scans, static_cast<int>(log_.scans.size()));
   double sum = 0.0;
   for (int ahead = scan + 1; ahead < end; ++ahead) {
-    Pose2 local_from_base = extrapolator.Predict(log_.scans[ahead].time, OdometryOf(ahead));
+    Pose2 local_from_base =
+        extrapolator.Predict(log_.scans[ahead].time, UsedOdometry(log_, ahead, options_));
     constexpr double kAnyScore = 0.0;
     if (const auto match = MatchScanAhead(ahead, local_from_base, submap, kAnyScore)) {
       sum += match->score;
@@ -213,7 +206,7 @@ std::optional<Pose2> LocalSlam::PlaceByScansAhead(int scan, const MatchedSubmap&
   PoseExtrapolator extrapolator = extrapolator_;
   std::vector<Pose2> local_from_predicted;
   for (int ahead = scan; ahead < end; ++ahead) {
-    const std::optional<Pose2> odom_from_base = OdometryOf(ahead);
+    const std::optional<Pose2> odom_from_base = UsedOdometry(log_, ahead, options_);
     const double time = log_.scans[ahead].time;
     const Pose2 predicted = extrapolator.Predict(time, odom_from_base);
     extrapolator.AddPose(time, predicted, odom_from_base, MotionKnowledge());
@@ -225,14 +218,6 @@ std::optional<Pose2> LocalSlam::PlaceByScansAhead(int scan, const MatchedSubmap&
                              submap.local_from_submap * match->submap_from_base);
   }
   return std::nullopt;
-}
-
-std::optional<PointCloud> LocalSlam::PointsToMatch(const RangeData& range_data) const {
-  PointCloud points = AdaptiveVoxelFilter(range_data.returns, options_.adaptive_voxel_filter);
-  if (points.empty() || static_cast<int>(points.size()) < options_.min_num_matched_points) {
-    return std::nullopt;
-  }
-  return points;
 }
 
 }  // namespace loopscope

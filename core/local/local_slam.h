@@ -52,8 +52,6 @@ class LocalSlam {
   void Match(int scan, LocalSlamResult* result);
   /// Whether the robot went so far since the scan before that velocity says little.
   bool IsFarFromBefore(int scan) const;
-  /// If odometry is used, there is any, and it does not hang.
-  std::optional<Pose2> OdometryOf(int scan) const;
   MatchPrior PriorOf(const ScanToMatch& scan, const LocalSlamResult& result,
                      const MatchedSubmap& submap) const;
   Pose2 SubmapFromBaseByVelocity(int scan, const MatchedSubmap& submap) const;
@@ -81,8 +79,6 @@ class LocalSlam {
   /// Where scan `scan` was, which matches nowhere in `submap`: between the scan before it and the
   /// first of those ahead that does match there.
   std::optional<Pose2> PlaceByScansAhead(int scan, const MatchedSubmap& submap) const;
-  /// What is matched of a scan; nothing if that is too little.
-  std::optional<PointCloud> PointsToMatch(const RangeData& range_data) const;
 
   const ScanLog& log_;
   LocalSlamOptions options_;

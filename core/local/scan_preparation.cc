@@ -13,6 +13,15 @@ RangeData PrepareRangeData(const ScanLog& log, int scan, const LocalSlamOptions&
   return data;
 }
 
+std::optional<PointCloud> PointsToMatch(const RangeData& range_data,
+                                        const LocalSlamOptions& options) {
+  PointCloud points = AdaptiveVoxelFilter(range_data.returns, options.adaptive_voxel_filter);
+  if (points.empty() || static_cast<int>(points.size()) < options.min_num_matched_points) {
+    return std::nullopt;
+  }
+  return points;
+}
+
 RangeData LoopScan(const RangeData& range_data, const LocalSlamOptions& options) {
   return {range_data.origin,
           AdaptiveVoxelFilter(range_data.returns, options.loop_closure_adaptive_voxel_filter),

@@ -3,6 +3,7 @@
 #include "core/slam/covariance.h"
 
 #include "core/graph/outliers.h"
+#include "core/local/hanging_odometry.h"
 #include "core/slam/derive.h"
 
 namespace loopscope {
@@ -10,12 +11,8 @@ namespace {
 
 MeasuredNode Measured(const Recording& recording, int index) {
   const Node& node = recording.nodes()[index];
-  MeasuredNode measured{NodeId{index}, node.local_from_base, std::nullopt};
-  if (!recording.options().trajectory_builder_2d.use_odometry) return measured;
-  if (const auto reading = OdometryOfScan(recording.log(), node.step)) {
-    measured.odom_from_node = reading->odom_from_base;
-  }
-  return measured;
+  return {NodeId{index}, node.local_from_base,
+          UsedOdometry(recording.log(), node.step, recording.options().trajectory_builder_2d)};
 }
 
 }  // namespace

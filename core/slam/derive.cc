@@ -133,9 +133,9 @@ std::vector<Constraint> ConstraintsOf(const Recording& recording, const MapState
 std::optional<MatchReplay> ReplayMatch(const Recording& recording, int step) {
   const std::optional<SubmapId> submap = MatchingSubmapOfStep(recording, step);
   if (!submap) return std::nullopt;
-  PointCloud points = AdaptiveVoxelFilter(RangeDataOfStep(recording, step).returns,
-                                          LocalOptions(recording).adaptive_voxel_filter);
-  if (points.empty()) return std::nullopt;
+  std::optional<PointCloud> points =
+      PointsToMatch(RangeDataOfStep(recording, step), LocalOptions(recording));
+  if (!points) return std::nullopt;
   const Step& record = recording.step(step);
   const Pose2 submap_from_local = recording.submap(*submap).local_from_submap.Inverse();
   ProbabilityGrid grid =
@@ -144,7 +144,7 @@ std::optional<MatchReplay> ReplayMatch(const Recording& recording, int step) {
   MatchReplay replay{*submap,
                      std::move(grid),
                      record.wide_walls,
-                     std::move(points),
+                     std::move(*points),
                      submap_from_local * record.local_from_base_prior,
                      std::nullopt,
                      submap_from_local * record.local_from_base};

@@ -58,7 +58,7 @@ struct MatchReplay {
   double score = 0.0;        ///< likewise, after the match
 };
 
-/// Nothing if the scan was not matched: it was the first, or had no returns.
+/// Nothing if the scan was not matched: it was the first, or had too few returns.
 std::optional<MatchReplay> ReplayMatch(const Recording& recording, int step);
 
 /// [m] that the robot had gone at each node, as local SLAM has it.

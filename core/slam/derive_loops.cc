@@ -177,6 +177,7 @@ LoopGate GateOfPair(const Recording& recording, SubmapId submap, NodeId node) {
         NodeBox(recording, submap).exteriorDistance(look->submap_from_node_guess.translation);
     gate.linear_window = look->linear_search_window;
     gate.angular_window = look->angular_search_window;
+    gate.way = 0.0;  // the final poses are not expected to drift
     gate.is_near = true;
   }
   return gate;

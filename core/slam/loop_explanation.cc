@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -19,9 +21,13 @@ class Checklist {
  public:
   /// Whether to go on.
   bool Add(LoopCheck check, const std::string& answer_if_failed) {
+    return Add(std::move(check), [&] { return answer_if_failed; });
+  }
+  /// Likewise, with an answer that takes a search.
+  bool Add(LoopCheck check, const std::function<std::string()>& answer_if_failed) {
     explanation_.checks.push_back(std::move(check));
     if (explanation_.checks.back().passed) return true;
-    explanation_.answer = answer_if_failed;
+    explanation_.answer = answer_if_failed();
     return false;
   }
 
@@ -54,10 +60,13 @@ LoopCheck OutsideCheck(const Submap& submap, NodeId node) {
 LoopCheck DistanceCheck(const LoopGate& gate, const ConstraintBuilderOptions& options) {
   const double growth =
       gate.linear_window - options.fast_correlative_scan_matcher.linear_search_window;
-  return {"distance to the submap's nodes", fmt::format("{:.2f} m", gate.distance),
-          fmt::format("at most {:.2f} m, {:.1f} m and {:.2f} m for drift over {:.0f} m of way",
-                      options.max_constraint_distance + growth, options.max_constraint_distance,
-                      growth, gate.way),
+  std::string most = fmt::format("at most {:.2f} m", options.max_constraint_distance);
+  if (gate.way > 0.0) {
+    most = fmt::format("at most {:.2f} m, {:.1f} m and {:.2f} m for drift over {:.0f} m of way",
+                       options.max_constraint_distance + growth, options.max_constraint_distance,
+                       growth, gate.way);
+  }
+  return {"distance to the submap's nodes", fmt::format("{:.2f} m", gate.distance), most,
           gate.is_near};
 }
 
@@ -83,7 +92,7 @@ LoopCheck ScoreCheck(const LoopCandidate& candidate) {
                       candidate.score, candidate.linear_search_window,
                       RadiansToDegrees(candidate.angular_search_window), candidate.score_bound),
           fmt::format("more than {:.3f}", candidate.min_score),
-          candidate.score > candidate.min_score};
+          candidate.verdict != Verdict::kBelowMinScore};
 }
 
 LoopCheck AmbiguityCheck(const LoopCandidate& candidate, const LoopAmbiguityOptions& options) {
@@ -156,8 +165,10 @@ LoopExplanation ExplainLoop(const Recording& recording, SubmapId submap, NodeId 
     return list.explanation();
   }
   const LoopGate gate = GateOfPair(recording, submap, node);
-  if (!list.Add(DistanceCheck(gate, options), "Not closed: too far apart to be searched. " +
-                                                  WouldHaveMatched(recording, submap, node))) {
+  if (!list.Add(DistanceCheck(gate, options), [&] {
+        return "Not closed: too far apart to be searched. " +
+               WouldHaveMatched(recording, submap, node);
+      })) {
     return list.explanation();
   }
   const std::optional<int> index = recording.FindCandidate(submap, node);
@@ -167,8 +178,10 @@ LoopExplanation ExplainLoop(const Recording& recording, SubmapId submap, NodeId 
                  fmt::format("a share of {} of the pairs at most{}", options.sampling_ratio,
                              options.second_look.num_nodes > 0 ? ", or a second look" : ""),
                  searched},
-                "Not closed: the pair was near enough, but skipped by sampling_ratio. " +
-                    (searched ? "" : WouldHaveMatched(recording, submap, node)))) {
+                [&] {
+                  return "Not closed: the pair was near enough, but skipped by sampling_ratio. " +
+                         WouldHaveMatched(recording, submap, node);
+                })) {
     return list.explanation();
   }
   if (const auto window = WindowCheck(*candidate, gate)) list.Add(*window, "");

@@ -131,6 +131,16 @@ TEST_F(CommandTest, LoopsListsTheSamePairsInEveryFormat) {
   EXPECT_EQ(nlohmann::json::parse(Run("loops run.loopscope --json").out).size(), num_candidates);
 }
 
+TEST_F(CommandTest, LoopsRefusesNodesAndSubmapsThatAreNotThere) {
+  ExpectRefused("loops run.loopscope --node -1", "there is no node -1; expected 0 to ");
+  ExpectRefused("loops run.loopscope --submap 999", "there is no submap 999; expected 0 to ");
+}
+
+TEST_F(CommandTest, LoopsLeavesEmptyInCsvWhatAPairHasNotThatWasNotSearched) {
+  const std::string csv = Run("loops run.loopscope --csv --verdict 'not sampled'").out;
+  EXPECT_THAT(csv, HasSubstr(",not sampled,,,,,,,,,,\n"));
+}
+
 TEST_F(CommandTest, LoopsTellHowFarASearchMovedTheNode) {
   const Recording recording = ReadRecording(folder_.Path("run.loopscope"));
   const auto json = nlohmann::json::parse(Run("loops run.loopscope --json").out);
@@ -166,6 +176,9 @@ TEST_F(CommandTest, EvaluateMeasuresAgainstRelationsAndReference) {
             1);
   EXPECT_THAT(Run("evaluate " + truth + ".tum --relations " + truth + ".relations --csv").out,
               HasSubstr("run,relations,translation_mean_m"));
+  std::filesystem::copy(truth + ".tum", folder_.Path("a,b.tum"));
+  EXPECT_THAT(Run("evaluate a,b.tum --relations " + truth + ".relations --csv").out,
+              HasSubstr("\n\"a,b.tum\",166,"));
 }
 
 TEST_F(CommandTest, EvaluatePrintsALineForEachRun) {
@@ -216,7 +229,9 @@ TEST_F(CommandTest, EvaluateRefusesWhatItCannotCompare) {
   ExpectRefused("evaluate way.tum", "expected --relations or --reference");
   ExpectRefused("evaluate run.loopscope --max-error 1", "expected --relations or --reference");
   ExpectRefused("evaluate run.loopscope --delta 0", "--delta 0: expected metres above 0");
-  ExpectRefused("evaluate run.loopscope --delta 1.5 --delta-unit f", "a number of frames");
+  for (const std::string count : {"1.5", "1e10"}) {
+    ExpectRefused("evaluate run.loopscope --delta-unit f --delta " + count, "a number of frames");
+  }
   ExpectRefused("evaluate run.loopscope --reference none.tum", "none.tum: cannot be opened");
   folder_.Write("other.tum", "5 0 0 0 0 0 0 1\n6 0 0 0 0 0 0 1\n");
   ExpectRefused("evaluate run.loopscope --reference other.tum", "nothing in common");

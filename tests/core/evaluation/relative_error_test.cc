@@ -11,8 +11,6 @@ namespace loopscope {
 namespace {
 
 using testing::ElementsAre;
-using Unit = RelativeErrorDelta::Unit;
-
 /// A robot that went along x by 0.4 m a pose, as it is believed; it really went 0.5 m a pose, and
 /// the frame of the reference is another one.
 std::vector<PosePair> ShortWay() {
@@ -26,8 +24,8 @@ std::vector<PosePair> ShortWay() {
 }
 
 TEST(RelativeError, ComparesFramesALengthOfTheEstimateApart) {
-  EXPECT_THAT(RelativeErrorFrames(ShortWay(), {1.0, Unit::kMeters}), ElementsAre(3, 6, 9));
-  const auto error = EvaluateRelative(ShortWay(), {1.0, Unit::kMeters});
+  EXPECT_THAT(RelativeErrorFrames(ShortWay(), DeltaInMeters{1.0}), ElementsAre(3, 6, 9));
+  const auto error = EvaluateRelative(ShortWay(), DeltaInMeters{1.0});
   EXPECT_EQ(error->translation.count, 2);
   EXPECT_NEAR(error->translation.min, 0.3, 1e-12);
   EXPECT_NEAR(error->translation.max, 0.3, 1e-12);
@@ -35,9 +33,9 @@ TEST(RelativeError, ComparesFramesALengthOfTheEstimateApart) {
 }
 
 TEST(RelativeError, ComparesEveryFewFrames) {
-  EXPECT_THAT(RelativeErrorFrames(ShortWay(), {4.0, Unit::kFrames}), ElementsAre(0, 4, 8));
-  EXPECT_NEAR(EvaluateRelative(ShortWay(), {4.0, Unit::kFrames})->translation.mean, 0.4, 1e-12);
-  EXPECT_EQ(EvaluateRelative(ShortWay(), {1.0, Unit::kFrames})->translation.count, 9);
+  EXPECT_THAT(RelativeErrorFrames(ShortWay(), DeltaInPoses{4}), ElementsAre(0, 4, 8));
+  EXPECT_NEAR(EvaluateRelative(ShortWay(), DeltaInPoses{4})->translation.mean, 0.4, 1e-12);
+  EXPECT_EQ(EvaluateRelative(ShortWay(), DeltaInPoses{1})->translation.count, 9);
 }
 
 TEST(RelativeError, IsSeenFromTheExpectedPose) {
@@ -45,15 +43,15 @@ TEST(RelativeError, IsSeenFromTheExpectedPose) {
   // quarter turn from there.
   const std::vector<PosePair> pairs = {{0.0, Pose2(), Pose2()},
                                        {1.0, Pose2(1.0, 0.0, M_PI / 2.0), Pose2(1.0, 2.0, M_PI)}};
-  const auto error = EvaluateRelative(pairs, {1.0, Unit::kFrames});
+  const auto error = EvaluateRelative(pairs, DeltaInPoses{1});
   EXPECT_NEAR(error->translation.mean, 2.0, 1e-12);
   EXPECT_NEAR(error->rotation.mean, M_PI / 2.0, 1e-12);
 }
 
 TEST(RelativeError, NeedsTwoFrames) {
-  EXPECT_FALSE(EvaluateRelative(ShortWay(), {3.0, Unit::kMeters}));
-  EXPECT_FALSE(EvaluateRelative(ShortWay(), {10.0, Unit::kFrames}));
-  EXPECT_FALSE(EvaluateRelative({}, {1.0, Unit::kMeters}));
+  EXPECT_FALSE(EvaluateRelative(ShortWay(), DeltaInMeters{3.0}));
+  EXPECT_FALSE(EvaluateRelative(ShortWay(), DeltaInPoses{10}));
+  EXPECT_FALSE(EvaluateRelative({}, DeltaInMeters{1.0}));
 }
 
 }  // namespace

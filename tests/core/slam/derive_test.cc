@@ -167,14 +167,18 @@ TEST(ReplayMatch, TellsWherePriorAndMatchStandInTheSubmap) {
   EXPECT_EQ(replay->score, MeanProbability(replay->points, replay->submap_from_base, replay->grid));
 }
 
-TEST(ReplayMatch, IsNothingForTheFirstScanAndForOneWithoutReturns) {
+TEST(ReplayMatch, IsNothingForTheFirstScanAndForThoseWithTooFewReturns) {
   ScanLog log = SimulateSmallLoop().log;
   log.scans.resize(20);
   for (float& range : log.scans[10].ranges) range = 0.0f;
+  std::vector<float>& few = log.scans[11].ranges;
+  std::fill(few.begin() + 10, few.end(), 0.0f);
   const Recording recording = MapLog(log, SmallLoopOptions());
   EXPECT_FALSE(ReplayMatch(recording, 0));
   EXPECT_TRUE(ReplayMatch(recording, 9));
   EXPECT_FALSE(ReplayMatch(recording, 10));
+  EXPECT_FALSE(ReplayMatch(recording, 11));
+  EXPECT_EQ(recording.step(11).match_start, MatchStart::kNone);
 }
 
 /// Whether the mapper searched the pair of the candidate, and did not look again later.
@@ -214,6 +218,17 @@ TEST(ReplaySearch, FindsForEverySearchWhatTheMapperFoundBitForBit) {
     ++num_searched;
   }
   EXPECT_GT(num_searched, 200);
+}
+
+TEST(GateOfPair, ExpectsNoDriftOfALastLook) {
+  const Recording recording = MapSmallLoop();
+  const auto& candidates = recording.candidates();
+  const auto last = std::find_if(candidates.begin(), candidates.end(),
+                                 [](const auto& candidate) { return candidate.last_look; });
+  ASSERT_NE(last, candidates.end());
+  const LoopGate gate = GateOfPair(recording, last->submap, last->node);
+  EXPECT_EQ(gate.way, 0.0);
+  EXPECT_EQ(gate.linear_window, last->linear_search_window);
 }
 
 TEST(ReplaySearch, FindsWhatWasRejectedIfAskedForLess) {
