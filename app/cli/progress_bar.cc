@@ -32,6 +32,8 @@ std::string Bar(double share) {
 ProgressBar::ProgressBar()
     : is_terminal_(isatty(STDERR_FILENO) != 0), start_(Clock::now()), last_shown_() {}
 
+ProgressBar::~ProgressBar() { End(); }
+
 double ProgressBar::seconds() const {
   return std::chrono::duration<double>(Clock::now() - start_).count();
 }
@@ -58,7 +60,8 @@ void ProgressBar::Show(int done, int total, const std::string& what) {
 }
 
 void ProgressBar::End() {
-  if (is_terminal_) fmt::print(stderr, "\n");
+  if (is_terminal_ && !has_ended_) fmt::print(stderr, "\n");
+  has_ended_ = true;
 }
 
 InterruptGuard::InterruptGuard() {

@@ -13,6 +13,10 @@ namespace loopscope {
 class ProgressBar {
  public:
   ProgressBar();
+  /// Ends it, so that an error has a line of its own.
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
 
   void Show(const MappingProgress& progress);
   /// `done` of `total` > 0 parts of the work, and `what` these are.
@@ -24,6 +28,7 @@ class ProgressBar {
 
  private:
   bool is_terminal_;
+  bool has_ended_ = false;
   std::chrono::steady_clock::time_point start_;
   std::chrono::steady_clock::time_point last_shown_;
   int last_tenth_ = 0;

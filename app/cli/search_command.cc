@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iostream>
 #include <map>
@@ -29,6 +30,7 @@ struct SearchArguments {
   int node = 0;
   int submap = 0;
   std::optional<double> min_score;
+  bool whole_submap = false;
   std::string output;
   bool json = false;
   PictureArguments picture;
@@ -148,6 +150,34 @@ void PrintJson(const SearchReplay& search) {
             << "\n";
 }
 
+/// Of a search everywhere in the submap.
+void PrintWhole(const LoopCandidate& found) {
+  fmt::print("node {}, submap {}: everywhere in the submap, at every angle\n", ToString(found.node),
+             ToString(found.submap));
+  fmt::print("guess     {}\n", ToText(found.submap_from_node_guess));
+  fmt::print("score     {:.4f}, needed {:.4f}; no pose has more than {:.4f}\n", found.score,
+             found.min_score, found.score_bound);
+  fmt::print("found at  {}\n", ToText(found.submap_from_node_searched));
+  if (found.verdict == Verdict::kBelowMinScore) return;
+  const Pose2 guess_from_node = found.submap_from_node_guess.Inverse() * found.submap_from_node;
+  fmt::print("refined   {}\n", ToText(found.submap_from_node));
+  fmt::print("off by    {:.3f} m, {:.2f} deg from the guess\n", guess_from_node.translation.norm(),
+             RadiansToDegrees(std::abs(guess_from_node.rotation)));
+}
+
+void PrintWholeJson(const LoopCandidate& found) {
+  std::cout << nlohmann::ordered_json({{"node", found.node.index},
+                                       {"submap", found.submap.index},
+                                       {"guess", ToJson(found.submap_from_node_guess)},
+                                       {"score", found.score},
+                                       {"min_score", found.min_score},
+                                       {"score_bound", found.score_bound},
+                                       {"searched", ToJson(found.submap_from_node_searched)},
+                                       {"refined", ToJson(found.submap_from_node)}})
+                   .dump(1)
+            << "\n";
+}
+
 void DrawSearch(const Recording& recording, const SearchArguments& arguments) {
   ViewRequest request;
   request.view = ViewKind::kSearch;
@@ -157,17 +187,33 @@ void DrawSearch(const Recording& recording, const SearchArguments& arguments) {
   DrawPicture(recording, request, BackendFromName(arguments.picture.backend), arguments.output);
 }
 
+[[noreturn]] void RefusePair(SubmapId submap, NodeId node) {
+  throw std::invalid_argument(fmt::format(
+      "node {} cannot be searched in submap {}; expected a finished submap that it is no part of",
+      ToString(node), ToString(submap)));
+}
+
+/// The exit code.
+int SearchWhole(const Recording& recording, SubmapId submap, NodeId node,
+                const SearchArguments& arguments) {
+  const auto found = SearchWholeSubmap(recording, submap, node, arguments.min_score);
+  if (!found) RefusePair(submap, node);
+  if (arguments.json) {
+    PrintWholeJson(*found);
+  } else {
+    PrintWhole(*found);
+  }
+  return found->verdict == Verdict::kBelowMinScore ? 1 : 0;
+}
+
 int RunSearch(const SearchArguments& arguments) {
   if (!arguments.output.empty()) PictureFormatOf(arguments.output);  // before the work begins
   const Recording recording = ReadRun(arguments.run);
   const NodeId node = NodeOf(recording, arguments.node);
   const SubmapId submap = SubmapOf(recording, arguments.submap);
+  if (arguments.whole_submap) return SearchWhole(recording, submap, node, arguments);
   const auto search = ReplaySearch(recording, submap, node, arguments.min_score);
-  if (!search) {
-    throw std::invalid_argument(fmt::format(
-        "node {} cannot be searched in submap {}; expected a finished submap that it is no part of",
-        ToString(node), ToString(submap)));
-  }
+  if (!search) RefusePair(submap, node);
   if (arguments.json) {
     PrintJson(*search);
   } else {
@@ -193,8 +239,15 @@ void AddSearchCommand(CLI::App* app, int* exit_code) {
                    "Search for poses of this score, instead of that of the options")
       ->check(CLI::Range(0.0, 1.0))
       ->type_name("S");
-  command->add_option("-o,--output", arguments->output, "Draw the search too, as PNG, SVG or PDF")
-      ->type_name("FILE");
+  CLI::Option* const output =
+      command
+          ->add_option("-o,--output", arguments->output, "Draw the search too, as PNG, SVG or PDF")
+          ->type_name("FILE");
+  command
+      ->add_flag("--whole-submap", arguments->whole_submap,
+                 "Search everywhere in the submap, at every angle, as the mapper never does; tells "
+                 "what a window missed, without a tree")
+      ->excludes(output);
   command->add_flag("--json", arguments->json, "Print JSON, with every node of the tree");
   AddPictureArguments(command, &arguments->picture);
   command->callback([arguments, exit_code] { *exit_code = RunSearch(*arguments); });

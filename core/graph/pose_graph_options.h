@@ -51,7 +51,7 @@ struct ConstraintBuilderOptions {
   /// [m] Nodes nearer to the one before are sampled less, in proportion to how far they are; not in
   /// Cartographer. 0: all alike.
   double full_sampling_gap = 0.0;
-  double global_localization_min_score = 0.6;  ///< for searches of the whole submap
+  double global_localization_min_score = 0.6;  ///< when a whole submap is searched
   double loop_closure_translation_weight = 1.1e4;
   double loop_closure_rotation_weight = 1e5;
   MeasuredDriftOptions measured_drift;
@@ -89,7 +89,7 @@ struct OptimizationProblemOptions {
 
 /// POSE_GRAPH.
 struct PoseGraphOptions {
-  int optimize_every_n_nodes = 90;  ///< 0: never, no loops
+  int optimize_every_n_nodes = 90;  ///< 0: only at the end, and no loops
   /// Not in Cartographer: nor before this share of all nodes is new. So what optimizations cost a
   /// node does not grow with the map.
   double optimize_every_share = 0.0;

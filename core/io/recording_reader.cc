@@ -232,7 +232,11 @@ class Reader {
 /// Calls action(reader) and throws what SQLite says as FileError.
 template <typename Action>
 auto WithReader(const std::string& path, const Action& action) {
-  if (!std::filesystem::exists(path)) throw FileError(path, "cannot be opened: no such file");
+  std::error_code unreachable;
+  if (!std::filesystem::exists(path, unreachable)) {
+    throw FileError(path, "cannot be opened: " +
+                              (unreachable ? unreachable.message() : std::string("no such file")));
+  }
   if (!IsRecording(path)) throw FileError(path, "not a Loopscope recording");
   try {
     Reader reader(path);

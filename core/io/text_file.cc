@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <system_error>
 
 #include "core/io/file_error.h"
 
@@ -13,7 +14,9 @@ namespace loopscope {
 
 std::string ReadTextFile(const std::string& path) {
   constexpr size_t kMaxSize = 1 << 20;  // [bytes]
-  if (std::filesystem::is_directory(path)) throw FileError(path, "is a folder; expected a file");
+  std::error_code unreadable;           // which opening it tells
+  if (std::filesystem::is_directory(path, unreadable))
+    throw FileError(path, "is a folder; expected a file");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) throw FileError(path, std::string("cannot be opened: ") + std::strerror(errno));

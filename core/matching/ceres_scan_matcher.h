@@ -11,8 +11,8 @@ namespace loopscope {
 /// *.ceres_scan_matcher.
 struct CeresScanMatcherOptions {
   double occupied_space_weight = 1.0;
-  double translation_weight = 10.0;  ///< on leaving the start, a metre
-  double rotation_weight = 40.0;     ///< on leaving the start, a radian
+  double translation_weight = 10.0;  ///< on leaving the target, a metre
+  double rotation_weight = 40.0;     ///< on turning from the start, a radian
   int max_num_iterations = 20;
 };
 

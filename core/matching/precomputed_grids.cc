@@ -90,7 +90,7 @@ PrecomputedGrid::PrecomputedGrid(const PrecomputedGrid& finest, int height, int 
   std::vector<int> shifts;
   for (int half = 1; half < stride(); half *= 2) shifts.push_back(half);
   if (sweep > 0) shifts.push_back(sweep);
-  // Maxima of rows, by doubling: of 1, of 2, of 4, ... Below the low border stand zeros.
+  // Maxima along y, by doubling: of 1, of 2, of 4, ... rows. Below the low border stand zeros.
   const int width = box_.width;
   const int num_rows = box_.height;
   std::vector<std::uint8_t> maxima(static_cast<std::size_t>(num_rows + reach) * width, 0);
@@ -105,7 +105,7 @@ PrecomputedGrid::PrecomputedGrid(const PrecomputedGrid& finest, int height, int 
     MaximaOfShifted(maxima.data(), static_cast<std::size_t>(shift) * width,
                     static_cast<std::size_t>(num_rows + reach - shift) * width);
   }
-  // The same along each row. Those of a phase come one after the other.
+  // The same along x. The rows of a phase come one after the other.
   std::vector<std::uint8_t> line;
   std::vector<std::uint8_t> buffer;
   for (int phase = 0; phase < stride(); ++phase) {

@@ -101,8 +101,9 @@ void LowestCellsHere(const Eigen::Vector2d* points, std::size_t num_points,
   for (; i < num_points; ++i) {
     const Eigen::Vector2d lower =
         (first_rotation * points[i]).cwiseMin(last_rotation * points[i]) + translation;
-    cells[i] = {FloorToInt(lower.x() / resolution + 0.5 - kMaxRounding),
-                FloorToInt(lower.y() / resolution + 0.5 - kMaxRounding)};
+    const Eigen::Vector2d in_cells = lower * (1.0 / resolution);
+    cells[i] = {FloorToInt(in_cells.x() + (0.5 - kMaxRounding)),
+                FloorToInt(in_cells.y() + (0.5 - kMaxRounding))};
   }
 }
 

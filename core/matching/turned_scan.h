@@ -22,10 +22,8 @@ class TurnedScan {
   /// Likewise, into `cells`, which has room for a cell of each point.
   void CellsAt(int angle_index, CellIndex* cells) const;
 
-  /// Where the points come lowest in x, and where in y, on their way from one angle of the window
-  /// to another: no cell on it is lower, and none is higher by more than `last_angle` -
-  /// `first_angle`
-  /// + 1.
+  /// Lower bounds of the cells of each point, in x and in y, at all angles of the window from
+  /// `first_angle` to `last_angle`, of which no cell is higher by more than last - first + 1.
   std::vector<CellIndex> LowestCells(int first_angle, int last_angle) const;
 
  private:

@@ -19,12 +19,25 @@ void CheckRange(const char* name, double value, double low, double high) {
 void Check(const SimulationOptions& options) {
   CheckRange("scan_period", options.scan_period, 0.01, 10.0);
   CheckRange("odometry_readings_per_scan", options.odometry_readings_per_scan, 1, 100);
+  CheckRange("start_time", options.start_time, -1e12, 1e12);
+  CheckRange("laser_offset", options.laser_offset, -10.0, 10.0);
   CheckRange("drive.max_speed", options.drive.max_speed, 0.1, 2.0);
+  CheckRange("drive.max_turn_rate", options.drive.max_turn_rate, 0.1, 10.0);
+  CheckRange("drive.acceleration", options.drive.acceleration, 0.01, 100.0);
+  CheckRange("drive.turn_acceleration", options.drive.turn_acceleration, 0.1, 100.0);
+  CheckRange("drive.reach", options.drive.reach, 0.01, 10.0);
   CheckRange("lidar.beams.num_beams", options.lidar.beams.num_beams, 1, 10000);
   CheckRange("lidar.max_range", options.lidar.max_range, 0.1, 80.0);
   CheckRange("lidar.range_noise", options.lidar.range_noise, 0.0, 1.0);
   CheckRange("lidar.range_step", options.lidar.range_step, 1e-4, 1.0);
   CheckRange("lidar.dropout_probability", options.lidar.dropout_probability, 0.0, 1.0);
+  const WheelOdometryOptions& wheels = options.wheel_odometry;
+  CheckRange("wheel_odometry.distance_scale", wheels.distance_scale, 0.0, 10.0);
+  CheckRange("wheel_odometry.turn_scale", wheels.turn_scale, 0.0, 10.0);
+  CheckRange("wheel_odometry.turn_per_meter", wheels.turn_per_meter, -10.0, 10.0);
+  CheckRange("wheel_odometry.distance_noise", wheels.distance_noise, 0.0, 10.0);
+  CheckRange("wheel_odometry.turn_noise", wheels.turn_noise, 0.0, 10.0);
+  CheckRange("wheel_odometry.turn_noise_of_turn", wheels.turn_noise_of_turn, 0.0, 10.0);
 }
 
 }  // namespace

@@ -61,9 +61,4 @@ std::vector<CellWrite> CellHistory::WritesOf(CellIndex cell) const {
   return writes;
 }
 
-std::vector<CellWrite> WritesOfCell(const Recording& recording, SubmapId submap, CellIndex cell,
-                                    int num_nodes) {
-  return CellHistory(recording, submap, num_nodes).WritesOf(cell);
-}
-
 }  // namespace loopscope

@@ -41,8 +41,4 @@ class CellHistory {
   std::vector<std::uint32_t> writes_;  // 2 * (node - first node) + is_hit
 };
 
-/// The writes of one cell. For several cells of a submap a CellHistory is faster.
-std::vector<CellWrite> WritesOfCell(const Recording& recording, SubmapId submap, CellIndex cell,
-                                    int num_nodes = -1);
-
 }  // namespace loopscope

@@ -90,4 +90,11 @@ struct SearchReplay {
 std::optional<SearchReplay> ReplaySearch(const Recording& recording, SubmapId submap, NodeId node,
                                          std::optional<double> min_score = std::nullopt);
 
+/// What a search of `node` everywhere in the finished `submap`, at every angle, finds, for
+/// `min_score` or else global_localization_min_score. The mapper makes none; it tells what a window
+/// missed. Nothing where ReplaySearch gives nothing.
+std::optional<LoopCandidate> SearchWholeSubmap(const Recording& recording, SubmapId submap,
+                                               NodeId node,
+                                               std::optional<double> min_score = std::nullopt);
+
 }  // namespace loopscope

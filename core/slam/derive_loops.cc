@@ -16,6 +16,12 @@ bool LiesIn(const Submap& submap, NodeId node) {
          node.index < submap.first_node.index + submap.num_nodes;
 }
 
+bool CanBeSearched(const Recording& recording, SubmapId submap, NodeId node) {
+  const Submap& record = recording.submap(submap);
+  return record.finished_step >= 0 && !LiesIn(record, node) &&
+         !LoopScanOfNode(recording, node).returns.empty();
+}
+
 /// The pair as the mapper considered it, if it did so and searched it.
 std::optional<LoopCandidate> SearchedCandidate(const Recording& recording, SubmapId submap,
                                                NodeId node) {
@@ -149,10 +155,8 @@ std::vector<double> NodeWays(const Recording& recording) {
 
 std::optional<SearchReplay> ReplaySearch(const Recording& recording, SubmapId submap, NodeId node,
                                          std::optional<double> min_score) {
-  const Submap& record = recording.submap(submap);
-  if (record.finished_step < 0 || LiesIn(record, node)) return std::nullopt;
+  if (!CanBeSearched(recording, submap, node)) return std::nullopt;
   RangeData scan = LoopScanOfNode(recording, node);
-  if (scan.returns.empty()) return std::nullopt;
   const std::optional<LoopCandidate> searched = SearchedCandidate(recording, submap, node);
   SearchReplay replay{searched.value_or(LoopCandidate{}),
                       searched.has_value(),
@@ -168,6 +172,19 @@ std::optional<SearchReplay> ReplaySearch(const Recording& recording, SubmapId su
   replay.result =
       SearchLoop(replay.candidate, replay.scan, replay.grid, matcher, options, &replay.trace);
   return replay;
+}
+
+std::optional<LoopCandidate> SearchWholeSubmap(const Recording& recording, SubmapId submap,
+                                               NodeId node, std::optional<double> min_score) {
+  if (!CanBeSearched(recording, submap, node)) return std::nullopt;
+  const ConstraintBuilderOptions& options = recording.options().pose_graph.constraint_builder;
+  LoopCandidate candidate = ConsiderPair(recording, submap, node);
+  candidate.whole_submap = true;
+  candidate.min_score = min_score.value_or(options.global_localization_min_score);
+  const ProbabilityGrid grid = GridOfSubmap(recording, submap);
+  const BranchAndBoundMatcher matcher(grid,
+                                      options.fast_correlative_scan_matcher.branch_and_bound_depth);
+  return SearchLoop(candidate, LoopScanOfNode(recording, node), grid, matcher, options);
 }
 
 LoopGate GateOfPair(const Recording& recording, SubmapId submap, NodeId node) {

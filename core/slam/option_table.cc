@@ -57,9 +57,9 @@ Rows CeresScanMatcherRows(CeresScanMatcherOptions* o) {
       {"occupied_space_weight", &o->occupied_space_weight, 0, kMaxWeight, "",
        "How much points in cells that are not occupied cost."},
       {"translation_weight", &o->translation_weight, 0, kMaxWeight, "1/m",
-       "How much leaving the start costs."},
+       "How much leaving the predicted place costs."},
       {"rotation_weight", &o->rotation_weight, 0, kMaxWeight, "1/rad",
-       "How much turning away from the start costs."},
+       "How much turning away from where it starts costs."},
       {"ceres_solver_options.max_num_iterations", &o->max_num_iterations, 0, kMaxCount, "",
        "The solver stops after so many iterations."},
   };
@@ -72,9 +72,9 @@ Rows RecoveryRows(RecoveryOptions* o) {
       {"unmeasured_min_relative_score", &o->unmeasured_min_relative_score, 0, 1, "",
        "The same share where no odometry predicted the scan; any gain is taken then."},
       {"unmeasured_linear_search_window", &o->unmeasured_linear_search_window, 0, 10, "m",
-       "Where such a scan is looked for first."},
+       "Where a scan that no odometry predicted is looked for first."},
       {"unmeasured_angular_search_window", &o->unmeasured_angular_search_window, 0, kPi, "rad",
-       "Likewise, to either side."},
+       "How far a scan that no odometry predicted is turned first, to either side."},
       {"unmeasured_min_score_ratio", &o->unmeasured_min_score_ratio, 0, 10, "",
        "What lies beyond must score this many times as much as all that lies there."},
       {"min_gain", &o->min_gain, 0, 1, "",
@@ -156,9 +156,9 @@ Rows LocalSlamRows(LocalSlamOptions* o) {
        "if it scores this many times as much there; 0: never. Not in Cartographer."});
   rows.push_back(
       {"unusual_motion_min_score_ratio", &o->unusual_motion_min_score_ratio, 0, 10, "",
-       "Likewise, but together with the three scans ahead, where odometry measured a motion that "
-       "it hardly ever measures, or that the robot never made, or where the scan matches nowhere; "
-       "0: never. Not in Cartographer."});
+       "Where odometry measured a motion that is hardly ever measured or made, or the scan matches "
+       "nowhere, it is believed where it matches without odometry if it and the three ahead score "
+       "this many times as much there; 0: never. Not in Cartographer."});
   rows.push_back(
       {"past_motions_weight", &o->past_motions_weight, 0, 1, "",
        "Without odometry, where scans are sparse, the power to which the likelihood of a "
@@ -226,24 +226,26 @@ Rows SecondLookRows(SecondLookOptions* o) {
        "Of a submap without a loop to another of the same place so many nodes are searched; 0: "
        "none."},
       {"max_distance", &o->max_distance, 0, kMaxLength, "m",
-       "Between a node and the box around the nodes of the submap, for a second look."},
+       "A second look is for nodes so near to the box around the submap's nodes."},
       {"max_unseen_distance", &o->max_unseen_distance, 0, kMaxLength, "m",
-       "Between a node and what the submap has seen of free space, for a second look; 0: any."},
+       "A second look is for nodes so near to what the submap has seen as free; 0: for all."},
       {"min_way", &o->min_way, 0, 1e6, "m",
-       "That the robot went from one to the other, for a second look."},
+       "A second look is for nodes so far from the submap by the way that the robot went."},
       {"min_distance", &o->min_distance, 0, kMaxLength, "m",
-       "By which optimizations must have moved two submaps since the last look."},
+       "A second look is for pairs that optimizations moved by so much since the one before."},
   };
 }
 
 Rows LastLookRows(LastLookOptions* o) {
   return {
       {"num_nodes", &o->num_nodes, 0, kMaxCount, "",
-       "Likewise, in the least window, after the final optimization; 0: none."},
+       "So many nodes of a pair of submaps that no loop ties are searched in the least window, "
+       "after the final optimization; 0: none."},
       {"min_score_factor", &o->min_score_factor, 0, 1, "",
-       "Share of the score needed otherwise that is enough then."},
+       "A last look needs this share of the score that is needed otherwise."},
       {"min_known_share", &o->min_known_share, 0, 1, "",
-       "Of the points so many count, or as many as lie in what the submap knows; 1: all."},
+       "A last look counts the points in what the submap knows, at least this share of all; 1: "
+       "all."},
   };
 }
 
@@ -256,11 +258,12 @@ Rows ConstraintBuilderRows(ConstraintBuilderOptions* o) {
       {"min_score", &o->min_score, 0, 1, "",
        "Mean probability that a match needs to become a constraint."},
       {"min_relative_score", &o->min_relative_score, 0, 1, "",
-       "Likewise, as a share of what the submap's own nodes score. 0: off. Not in Cartographer."},
+       "Share of what the submap's own nodes score that a match needs to become a constraint; 0: "
+       "off. Not in Cartographer."},
       {"linear_search_window_per_meter", &o->linear_search_window_per_meter, 0, 1, "m/m",
        "Growth of the search window with the way gone since the submap. Not in Cartographer."},
       {"angular_search_window_per_meter", &o->angular_search_window_per_meter, 0, 1, "rad/m",
-       "Likewise of the angle. Not in Cartographer."},
+       "Growth of the window's angle with the way gone since the submap. Not in Cartographer."},
       {"max_linear_search_window", &o->max_linear_search_window, 0, kMaxLength, "m",
        "Where the growth of the search window ends. Not in Cartographer."},
       {"search_window_growth_per_gap", &o->search_window_growth_per_gap, 0, 100, "1/m",
@@ -272,7 +275,7 @@ Rows ConstraintBuilderRows(ConstraintBuilderOptions* o) {
       {"full_sampling_gap", &o->full_sampling_gap, 0, kMaxLength, "m",
        "Nodes nearer to the one before are sampled less, in proportion; 0: all alike."},
       {"global_localization_min_score", &o->global_localization_min_score, 0, 1, "",
-       "Likewise, for searches of a whole submap."},
+       "Mean probability that a match needs when a whole submap is searched."},
       {"loop_closure_translation_weight", &o->loop_closure_translation_weight, 0, kMaxWeight, "1/m",
        "How stiff a loop closure is in position."},
       {"loop_closure_rotation_weight", &o->loop_closure_rotation_weight, 0, kMaxWeight, "1/rad",
@@ -315,11 +318,12 @@ Rows OptimizationProblemRows(OptimizationProblemOptions* o) {
       {"ceres_solver_options.max_num_iterations", &o->max_num_iterations, 0, kMaxCount, "",
        "An optimization on the way stops after so many iterations."},
       {"ceres_solver_options.function_tolerance", &o->function_tolerance, 0, 1, "",
-       "And when one gains no more than this share of the cost; the final one at 1e-6."},
+       "An optimization on the way stops when an iteration gains no more than this share of the "
+       "cost; the final one at 1e-6."},
       {"outliers.max_distance", &o->outliers.max_distance, 0, kMaxLength, "m",
        "Loops with a larger residual are left out; 0: none."},
       {"outliers.max_angle", &o->outliers.max_angle, 0, kPi, "rad",
-       "Likewise, for the residual in heading."},
+       "Loops with a larger residual in heading are left out; 0: none."},
       {"outliers.max_num_rounds", &o->outliers.max_num_rounds, 0, kMaxCount, "",
        "How often an optimization on the way leaves out loops and solves again."},
   };
@@ -328,12 +332,12 @@ Rows OptimizationProblemRows(OptimizationProblemOptions* o) {
 Rows PoseGraphRows(PoseGraphOptions* o) {
   Rows rows = {
       {"optimize_every_n_nodes", &o->optimize_every_n_nodes, 0, kMaxCount, "",
-       "All poses are optimized after so many new nodes; 0: never, and no loops."},
+       "Poses are optimized after so many new nodes; 0: only at the end, and no loops."},
       {"optimize_every_share", &o->optimize_every_share, 0, 1, "",
-       "And not before the new ones are this share of all nodes, so that the work for a "
-       "node does not grow with the map."},
+       "Poses are not optimized before the new nodes are this share of all, so that the work for "
+       "a node does not grow with the map."},
       {"optimize_at_latest_after_n_nodes", &o->optimize_at_latest_after_n_nodes, 1, kMaxCount, "",
-       "But when there are so many new ones in any case."},
+       "Poses are optimized after so many new nodes in any case."},
       {"min_num_held_nodes", &o->min_num_held_nodes, 0, kMaxCount, "",
        "What is older than the new nodes and all that these have loops with stays where it "
        "is until all loops are judged anew, if it is so many nodes; 0: it moves."}};

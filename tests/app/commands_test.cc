@@ -119,6 +119,20 @@ TEST_F(CommandTest, WhyAnswersWithItsExitCode) {
   ExpectRefused("why run.loopscope --node 9999 --submap 0", "there is no node 9999");
 }
 
+TEST_F(CommandTest, SearchLooksEverywhereInTheSubmapIfAsked) {
+  const std::string pair = "search run.loopscope --node 50 --submap 0 --whole-submap";
+  const ProgramRun run = Run(pair + " --min-score 0.1");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("everywhere in the submap, at every angle"));
+  EXPECT_THAT(run.out, HasSubstr("from the guess"));
+  const auto window = nlohmann::json::parse(
+      Run("search run.loopscope --node 50 --submap 0 --min-score 0.1 --json").out);
+  const auto whole = nlohmann::json::parse(Run(pair + " --min-score 0.1 --json").out);
+  EXPECT_GE(whole.at("score"), window.at("score"));
+  EXPECT_EQ(Run(pair + " --min-score 0.89").exit_code, 1);
+  EXPECT_EQ(Run(pair + " -o s.png").exit_code, 2);
+}
+
 TEST_F(CommandTest, LoopsListsTheSamePairsInEveryFormat) {
   const std::size_t num_candidates =
       ReadRecording(folder_.Path("run.loopscope")).candidates().size();

@@ -11,6 +11,7 @@ namespace loopscope {
 namespace {
 
 using testing::ElementsAre;
+
 /// A robot that went along x by 0.4 m a pose, as it is believed; it really went 0.5 m a pose, and
 /// the frame of the reference is another one.
 std::vector<PosePair> ShortWay() {

@@ -40,6 +40,9 @@ std::vector<std::int64_t> Compute(std::uint64_t seed) {
   }
   const ProbabilityGrid wide = WithWideWalls(world.grid, 0.5);
   numbers.insert(numbers.end(), wide.cells().begin(), wide.cells().end());
+  for (const CellIndex cell : scan.LowestCells(-3, 3)) {
+    numbers.insert(numbers.end(), {cell.x, cell.y});
+  }
   for (int angle = -3; angle <= 3; ++angle) {
     const std::vector<CellIndex> cells = scan.CellsAt(angle);
     for (const CellIndex cell : cells) numbers.insert(numbers.end(), {cell.x, cell.y});

@@ -115,5 +115,14 @@ TEST(Simulate, NamesTheOptionThatIsOutOfRange) {
   }
 }
 
+TEST(Simulate, RefusesWhatWouldNotEnd) {
+  SimulationOptions at_rest;
+  at_rest.drive.acceleration = 0.0;
+  EXPECT_THROW(Simulate(MakeWorld("loop"), at_rest), std::invalid_argument);
+  SimulationOptions no_number;
+  no_number.wheel_odometry.distance_scale = std::nan("");
+  EXPECT_THROW(Simulate(MakeWorld("loop"), no_number), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace loopscope

@@ -86,15 +86,5 @@ TEST(CellHistoryTest, LeavesOutMissesThatAreNotWritten) {
   }
 }
 
-TEST(WritesOfCellTest, IsTheHistoryOfOneCell) {
-  const CellHistory history(SmallLoop(), kSubmap, 5);
-  const CellIndex cell =
-      CellsOfNode(SmallLoop(), kSubmap, SmallLoop().submap(kSubmap).first_node).hits.front();
-  const auto writes = WritesOfCell(SmallLoop(), kSubmap, cell, 5);
-  ASSERT_EQ(writes.size(), history.WritesOf(cell).size());
-  EXPECT_EQ(writes.front().node, SmallLoop().submap(kSubmap).first_node);
-  EXPECT_EQ(writes.back().odds, history.WritesOf(cell).back().odds);
-}
-
 }  // namespace
 }  // namespace loopscope

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/slam/option_values.h"
@@ -27,6 +28,16 @@ TEST(OptionTable, HasNoKeyAndNoFieldTwice) {
   for (const OptionRow& row : OptionTable(&options)) {
     EXPECT_TRUE(keys.insert(row.key).second) << row.key;
     EXPECT_TRUE(fields.insert(Place(row).first).second) << row.key;
+  }
+}
+
+TEST(OptionTable, HasSentencesThatNeedNoOther) {
+  Options options;
+  for (const OptionRow& row : OptionTable(&options)) {
+    EXPECT_THAT(row.sentence, testing::MatchesRegex("[A-Z].*\\.")) << row.key;
+    for (const std::string word : {"Likewise", "And ", "But ", "Such "}) {
+      EXPECT_NE(row.sentence.rfind(word, 0), 0u) << row.key << ": " << row.sentence;
+    }
   }
 }
 
