@@ -32,6 +32,20 @@ LoopGate EvaluateLoopGate(const Pose2& submap_from_node_guess, const Eigen::Alig
   return gate;
 }
 
+LoopCandidate AtGate(const LoopGate& gate, SubmapId submap, NodeId node, int step,
+                     const Pose2& submap_from_node_guess, double min_score) {
+  LoopCandidate candidate;
+  candidate.submap = submap;
+  candidate.node = node;
+  candidate.considered_step = step;
+  candidate.submap_from_node_guess = submap_from_node_guess;
+  candidate.linear_search_window = gate.linear_window;
+  candidate.angular_search_window = gate.angular_window;
+  candidate.min_score = min_score;
+  candidate.verdict = gate.is_near ? Verdict::kNotSampled : Verdict::kTooFar;
+  return candidate;
+}
+
 double MaxGateDistance(const ConstraintBuilderOptions& options) {
   const double least = options.fast_correlative_scan_matcher.linear_search_window;
   return options.max_constraint_distance + std::max(0.0, options.max_linear_search_window - least);

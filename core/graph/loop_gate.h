@@ -6,7 +6,9 @@
 
 #include <Eigen/Geometry>
 
+#include "core/geometry/id.h"
 #include "core/geometry/pose2.h"
+#include "core/graph/loop_candidate.h"
 #include "core/graph/pose_graph_options.h"
 #include "core/grid/probability_grid.h"
 #include "core/sensor/range_data.h"
@@ -30,6 +32,10 @@ struct LoopGate {
 /// `node_box` is the box around the submap's own nodes, in its frame [m].
 LoopGate EvaluateLoopGate(const Pose2& submap_from_node_guess, const Eigen::AlignedBox2d& node_box,
                           double way, const ConstraintBuilderOptions& options);
+
+/// The pair as it comes up in `step` with `gate` and `min_score`: kTooFar, or else kNotSampled yet.
+LoopCandidate AtGate(const LoopGate& gate, SubmapId submap, NodeId node, int step,
+                     const Pose2& submap_from_node_guess, double min_score);
 
 /// [m] No gate with these options is near beyond it.
 double MaxGateDistance(const ConstraintBuilderOptions& options);

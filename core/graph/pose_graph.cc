@@ -24,7 +24,10 @@ constexpr int kNumSubmapsThatYield = 20;
 PoseGraph::PoseGraph(const PoseGraphOptions& options, int num_threads)
     : options_(options),
       loop_judge_(options.constraint_builder.consistency, options.optimization_problem.outliers),
+      measured_drift_(options.constraint_builder.measured_drift,
+                      options.optimization_problem.outliers),
       second_look_(options.constraint_builder.second_look),
+      near_pairs_(MaxGateDistance(options.constraint_builder)),
       loop_search_(options.constraint_builder, num_threads) {}
 
 void PoseGraph::AddSubmap(const Pose2& local_from_submap) {
@@ -37,7 +40,7 @@ void PoseGraph::AddNode(const GraphNode& node, int step) {
   const NodeId id{static_cast<int>(graph_.nodes.size())};
   graph_.nodes.push_back(node);
   graph_.global_from_node.push_back(global_from_local_ * node.local_from_node);
-  node_places_.Add(id.index, graph_.global_from_node.back().translation);
+  near_pairs_.AddNode(id, graph_);
   AddWayTo(id);
   for (int i = 0; i < node.num_submaps; ++i) {
     const SubmapId submap{node.first_submap.index + i};
@@ -54,28 +57,17 @@ void PoseGraph::AddNode(const GraphNode& node, int step) {
 }
 
 void PoseGraph::ConsiderNearSubmaps(NodeId node, int step) {
-  const Eigen::Vector2d& place = graph_.global_from_node[node.index].translation;
   const std::vector<double>& ways = travel_graph_.WaysFrom(graph_.node(node).first_submap);
-  for (const int submap : finished_places_.Near(place, max_submap_radius_ + LoopReach())) {
+  for (const int submap : near_pairs_.SubmapsNear(node, graph_)) {
     Consider(SubmapId{submap}, node, ways[submap], step);
   }
 }
 
 void PoseGraph::ConsiderNearNodes(SubmapId submap, int step) {
   const std::vector<double>& ways = travel_graph_.WaysFrom(submap);
-  for (const int node : node_places_.Near(CenterOf(submap), RadiusOf(submap) + LoopReach())) {
+  for (const int node : near_pairs_.NodesNear(submap, graph_)) {
     Consider(submap, NodeId{node}, ways[graph_.nodes[node].first_submap.index], step);
   }
-}
-
-double PoseGraph::LoopReach() const { return MaxGateDistance(options_.constraint_builder); }
-
-Eigen::Vector2d PoseGraph::CenterOf(SubmapId submap) const {
-  return graph_.global_from_submap[submap.index] * graph_.submap(submap).node_box.center();
-}
-
-double PoseGraph::RadiusOf(SubmapId submap) const {
-  return 0.5 * graph_.submap(submap).node_box.diagonal().norm();
 }
 
 void PoseGraph::AddWayTo(NodeId id) {
@@ -110,8 +102,7 @@ void PoseGraph::FinishSubmap(SubmapId id, const ProbabilityGrid& grid, int step)
   graph_.submaps[id.index].seen.emplace(grid);
   loop_search_.AddSubmap(id, grid);
   finished_submaps_.push_back(id);
-  finished_places_.Add(id.index, CenterOf(id));
-  max_submap_radius_ = std::max(max_submap_radius_, RadiusOf(id));
+  near_pairs_.AddFinishedSubmap(id, graph_);
   ConsiderNearNodes(id, step);
 }
 
@@ -145,17 +136,9 @@ void PoseGraph::Consider(SubmapId submap, NodeId node, double way, int step) {
 }
 
 LoopCandidate PoseGraph::CandidateOf(SubmapId submap, NodeId node, double way, int step) const {
-  LoopCandidate candidate;
-  candidate.submap_from_node_guess = graph_.SubmapFromNode(submap, node);
-  const LoopGate gate = GateOf(submap, candidate.submap_from_node_guess, way);
-  candidate.verdict = gate.is_near ? Verdict::kNotSampled : Verdict::kTooFar;
-  candidate.submap = submap;
-  candidate.node = node;
-  candidate.considered_step = step;
-  candidate.linear_search_window = gate.linear_window;
-  candidate.angular_search_window = gate.angular_window;
-  candidate.min_score = graph_.submap(submap).min_loop_score;
-  return candidate;
+  const Pose2 guess = graph_.SubmapFromNode(submap, node);
+  return AtGate(GateOf(submap, guess, way), submap, node, step, guess,
+                graph_.submap(submap).min_loop_score);
 }
 
 LoopGate PoseGraph::GateOf(SubmapId submap, const Pose2& submap_from_node_guess, double way) const {
@@ -200,23 +183,10 @@ void PoseGraph::MeasureDrift(const std::vector<LoopCandidate>& candidates) {
     const Pose2 guess = graph_.SubmapFromNode(loop.submap, loop.node);
     const SubmapId node_submap = graph_.node(loop.node).first_submap;
     const double way = travel_graph_.WaysFrom(loop.submap)[node_submap.index];
-    drift_shares_.push_back(
+    measured_drift_.Note(
+        ToConstraint(loop, options_.constraint_builder),
         DriftShareOf(guess, loop.submap_from_node, GateOf(loop.submap, guess, way)));
   }
-}
-
-DriftShare PoseGraph::PredictedDriftShare() const {
-  std::vector<DriftShare> shares;
-  std::size_t num_loops = 0;
-  for (const Constraint& c : constraints_) {
-    if (c.tag != Constraint::Tag::kInterSubmap) continue;
-    const DriftShare& share = drift_shares_[num_loops++];
-    const Eigen::Vector3d residual =
-        SpaError(c.submap_from_node, graph_.global_from_submap[c.submap.index],
-                 graph_.global_from_node[c.node.index]);
-    if (!IsOutlier(residual, options_.optimization_problem.outliers)) shares.push_back(share);
-  }
-  return PredictDriftShare(shares, options_.constraint_builder.measured_drift);
 }
 
 void PoseGraph::LookAgain(int step) {
@@ -354,20 +324,11 @@ GraphSolution PoseGraph::Adopt(GraphSolution solution) {
   graph_.global_from_node = solution.global_from_node;
   global_from_local_ =
       graph_.global_from_submap.back() * graph_.submaps.back().local_from_submap.Inverse();
-  IndexPlaces();
-  drift_share_ = PredictedDriftShare();
+  near_pairs_.Renew(graph_);
+  drift_share_ = measured_drift_.Predict(graph_);
   num_nodes_since_optimization_ = 0;
   num_judged_ = constraints_.size();
   return solution;
-}
-
-void PoseGraph::IndexPlaces() {
-  finished_places_.Clear();
-  for (const SubmapId id : finished_submaps_) finished_places_.Add(id.index, CenterOf(id));
-  node_places_.Clear();
-  for (int i = 0; i < static_cast<int>(graph_.nodes.size()); ++i) {
-    node_places_.Add(i, graph_.global_from_node[i].translation);
-  }
 }
 
 }  // namespace loopscope

@@ -4,14 +4,12 @@
 
 #include <vector>
 
-#include <Eigen/Geometry>
-
-#include "core/graph/drift_share.h"
 #include "core/graph/graph_solver.h"
 #include "core/graph/graph_state.h"
 #include "core/graph/loop_judge.h"
 #include "core/graph/loop_search.h"
-#include "core/graph/place_index.h"
+#include "core/graph/measured_drift.h"
+#include "core/graph/near_pairs.h"
 #include "core/graph/travel_graph.h"
 
 namespace loopscope {
@@ -87,18 +85,9 @@ class PoseGraph {
   void SearchWhereLoopHasIt(const LoopCandidate& loop, LoopCandidate* pair);
   /// Notes what drift the loops accepted took.
   void MeasureDrift(const std::vector<LoopCandidate>& candidates);
-  /// Of the loops in force.
-  DriftShare PredictedDriftShare() const;
   LoopGate GateOf(SubmapId submap, const Pose2& submap_from_node_guess, double way) const;
   void ConsiderNearSubmaps(NodeId node, int step);
   void ConsiderNearNodes(SubmapId submap, int step);
-  /// [m] Beyond it from the nodes of a submap, no node comes up for a search in it.
-  double LoopReach() const;
-  /// Of the box around its nodes, in the global frame.
-  Eigen::Vector2d CenterOf(SubmapId submap) const;
-  /// [m] Of the circle around that box.
-  double RadiusOf(SubmapId submap) const;
-  void IndexPlaces();
   /// Sets off a loop search for the pair if it is near enough; `way` [m] from TravelGraph.
   void Consider(SubmapId submap, NodeId node, double way, int step);
   /// The pair as it comes up now; kTooFar unless it is near enough.
@@ -110,14 +99,12 @@ class PoseGraph {
   std::size_t num_looked_at_ = 0;  ///< of finished_submaps_: those whose own pairs were collected
   double counted_way_ = 0.0;       ///< [m] to the last node, as CountedWay has it
   LoopJudge loop_judge_;
-  std::vector<DriftShare> drift_shares_;  ///< of the loops that were accepted
-  DriftShare drift_share_;                ///< to search in
+  MeasuredDrift measured_drift_;
+  DriftShare drift_share_;  ///< to search in
   SecondLook second_look_;
   TravelGraph travel_graph_;
   Pose2 global_from_local_;
-  PlaceIndex node_places_;
-  PlaceIndex finished_places_;      ///< of the centers of finished submaps
-  double max_submap_radius_ = 0.0;  ///< [m] of the circles around their node boxes
+  NearPairs near_pairs_;
   std::vector<Constraint> constraints_;
   std::vector<ConsecutiveNodes> consecutive_nodes_;
   std::size_t num_judged_ = 0;  ///< of constraints_: those of the last optimization

@@ -203,16 +203,9 @@ LoopGate GateOfPair(const Recording& recording, SubmapId submap, NodeId node) {
 LoopCandidate ConsiderPair(const Recording& recording, SubmapId submap, NodeId node) {
   if (const auto look = LastLook(recording, submap, node)) return AsAsked(*look);
   const MapState state = StateWhenConsidered(recording, submap, node);
-  const LoopGate gate = GateIn(state, recording, submap, node);
-  LoopCandidate candidate;
-  candidate.submap = submap;
-  candidate.node = node;
-  candidate.considered_step = state.step;
-  candidate.submap_from_node_guess = Guess(state, submap, node);
-  candidate.linear_search_window = gate.linear_window;
-  candidate.angular_search_window = gate.angular_window;
-  candidate.min_score = MinLoopScoreOf(recording, submap);
-  candidate.verdict = gate.is_near ? Verdict::kNotSampled : Verdict::kTooFar;
+  const LoopCandidate candidate =
+      AtGate(GateIn(state, recording, submap, node), submap, node, state.step,
+             Guess(state, submap, node), MinLoopScoreOf(recording, submap));
   return Rounded(WithDriftShare(candidate, DriftShareIn(recording, state)));
 }
 
