@@ -71,16 +71,10 @@ class Neighborhoods {
   std::map<Key, PointCloud> buckets_;
 };
 
-/// The scan of node `i` in the map.
-RangeData RangeDataInMap(const Recording& recording, const MapState& state, int i) {
-  return Transform(state.global_from_node[i],
-                   RangeDataOfStep(recording, recording.nodes()[i].step));
-}
-
 PointCloud ReturnsInMap(const Recording& recording, const MapState& state) {
   PointCloud points;
   for (int i = 0; i < state.num_nodes; ++i) {
-    const RangeData range_data = RangeDataInMap(recording, state, i);
+    const RangeData range_data = RangeDataInMap(recording, state, NodeId{i});
     points.insert(points.end(), range_data.returns.begin(), range_data.returns.end());
   }
   return points;
@@ -92,7 +86,7 @@ double DisagreementOf(const Recording& recording, const MapState& state) {
   double num_hits = 0.0;
   double num_misses = 0.0;
   for (int i = 0; i < state.num_nodes; ++i) {
-    const ScanCells cells = CastRays(RangeDataInMap(recording, state, i), map.resolution);
+    const ScanCells cells = CastRays(RangeDataInMap(recording, state, NodeId{i}), map.resolution);
     num_hits += std::count_if(cells.hits.begin(), cells.hits.end(), is_occupied);
     num_misses += std::count_if(cells.misses.begin(), cells.misses.end(), is_occupied);
   }

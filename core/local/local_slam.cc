@@ -68,12 +68,24 @@ void LocalSlam::Match(int scan, LocalSlamResult* result) {
     wide_walls = WithWideWalls(active->grid, options_.share_beside_walls);
     result->wide_walls = true;
   }
-  const Pose2& local_from_submap = active->local_from_submap;
-  const MatchedSubmap submap{local_from_submap, wide_walls ? *wide_walls : active->grid};
+  const MatchedSubmap submap{active->local_from_submap, wide_walls ? *wide_walls : active->grid};
   const ScanMatch match = MatchInDoubt(scan_to_match, *result, submap);
+  LearnExpectedScore(match.score);
+  SetPose(scan, match, submap, result);
+  const bool is_as_measured = result->odom_from_base && match.start == MatchStart::kPrior;
+  const bool is_held =
+      !MatchedNowhere(match.start) && HoldsAhead(*points, match.submap_from_base, active->grid);
+  result->motion_knowledge = {is_as_measured || is_held, is_as_measured && is_held};
+}
+
+void LocalSlam::LearnExpectedScore(double score) {
   ++num_matched_;
-  expected_score_ +=
-      std::max(kExpectedScoreGain, 1.0 / num_matched_) * (match.score - expected_score_);
+  expected_score_ += std::max(kExpectedScoreGain, 1.0 / num_matched_) * (score - expected_score_);
+}
+
+void LocalSlam::SetPose(int scan, const ScanMatch& match, const MatchedSubmap& submap,
+                        LocalSlamResult* result) const {
+  const Pose2& local_from_submap = submap.local_from_submap;
   if (match.submap_from_base_correlative) {
     result->local_from_base_correlative =
         Rounded(local_from_submap * *match.submap_from_base_correlative);
@@ -85,10 +97,6 @@ void LocalSlam::Match(int scan, LocalSlamResult* result) {
     result->local_from_base = Rounded(*local_from_base);
     result->match_start = MatchStart::kAhead;
   }
-  const bool is_as_measured = result->odom_from_base && match.start == MatchStart::kPrior;
-  const bool is_held =
-      !MatchedNowhere(match.start) && HoldsAhead(*points, match.submap_from_base, active->grid);
-  result->motion_knowledge = {is_as_measured || is_held, is_as_measured && is_held};
 }
 
 bool LocalSlam::IsFarFromBefore(int scan) const {

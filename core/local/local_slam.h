@@ -50,6 +50,10 @@ class LocalSlam {
   };
 
   void Match(int scan, LocalSlamResult* result);
+  void LearnExpectedScore(double score);
+  /// Where the scan is: where it matched, or by those ahead if it matches nowhere.
+  void SetPose(int scan, const ScanMatch& match, const MatchedSubmap& submap,
+               LocalSlamResult* result) const;
   /// Whether the robot went so far since the scan before that velocity says little.
   bool IsFarFromBefore(int scan) const;
   MatchPrior PriorOf(const ScanToMatch& scan, const LocalSlamResult& result,

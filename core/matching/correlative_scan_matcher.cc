@@ -26,8 +26,11 @@ double DeltaPenalty(double distance, double angle, const CorrelativeScanMatcherO
   return std::exp(-delta * delta);
 }
 
-/// No mean is higher, even if it was rounded up.
-constexpr double kHighestMean = kMaxProbability + 1e-9;
+/// Of a mean, at most.
+constexpr double kRounding = 1e-9;
+
+/// No mean is higher.
+constexpr double kHighestMean = kMaxProbability + kRounding;
 
 /// Every other point first: these have seen all sides, too.
 PointCloud Interleaved(const PointCloud& points) {
@@ -49,44 +52,81 @@ std::vector<int> FromTheMiddle(int last) {
   return angles;
 }
 
+/// The poses of the window, angle by angle from that of the guess on.
+class CorrelativeSearch {
+ public:
+  CorrelativeSearch(const PointCloud& points_in_scan, const ProbabilityGrid& grid,
+                    const Pose2& submap_from_scan_guess,
+                    const CorrelativeScanMatcherOptions& options)
+      : grid_(grid),
+        options_(options),
+        points_(Interleaved(points_in_scan)),
+        window_(MakeSearchWindow(points_, submap_from_scan_guess, options.linear_search_window,
+                                 options.angular_search_window, grid.resolution())),
+        scan_(window_, points_),
+        radius_(window_.num_linear_steps),
+        best_{submap_from_scan_guess, 0.0} {}
+  CorrelativeSearch(const CorrelativeSearch&) = delete;
+  CorrelativeSearch& operator=(const CorrelativeSearch&) = delete;
+
+  CorrelativeMatch Run() {
+    for (const int angle : FromTheMiddle(window_.num_angular_steps)) {
+      const double turn_penalty = DeltaPenalty(0.0, TurnAt(angle), options_);
+      if (kHighestMean * turn_penalty <= best_.score) break;
+      if (SumPoints(angle, best_.score / turn_penalty)) KeepBestAt(angle);
+    }
+    return best_;
+  }
+
+ private:
+  /// [rad] from the guess.
+  double TurnAt(int angle) const { return std::abs(angle) * window_.angular_step; }
+
+  /// Sums at all offsets what the grid has at the points; half of them do if these tell that no
+  /// mean is more than `mean_to_beat`. Whether one may be.
+  bool SumPoints(int angle, double mean_to_beat) {
+    const std::vector<CellIndex> cells = scan_.CellsAt(angle);
+    const std::size_t num_first = (points_.size() + 1) / 2;
+    const std::size_t num_others = points_.size() - num_first;
+    sums_.assign((2 * radius_ + 1) * (2 * radius_ + 1), 0);
+    AddShifted(grid_, cells.data(), num_first, radius_, sums_.data());
+    // At the other points the grid has the highest probability at most.
+    const std::uint32_t max_sum =
+        *std::max_element(sums_.begin(), sums_.end()) + num_others * StepsAboveMin(kMaxCellValue);
+    if (MeanProbability(max_sum, points_.size()) <= mean_to_beat - kRounding) return false;
+    AddShifted(grid_, cells.data() + num_first, num_others, radius_, sums_.data());
+    return true;
+  }
+
+  void KeepBestAt(int angle) {
+    const int side = 2 * radius_ + 1;
+    for (int k = 0; k < side * side; ++k) {
+      const double mean = MeanProbability(sums_[k], points_.size());
+      if (mean <= best_.score) continue;  // before any penalty
+      const CellIndex offset{k % side - radius_, k / side - radius_};
+      const double distance = std::hypot(offset.x, offset.y) * window_.resolution;
+      const double score = mean * DeltaPenalty(distance, TurnAt(angle), options_);
+      if (score > best_.score) best_ = {PoseInWindow(window_, offset, angle), score};
+    }
+  }
+
+  const ProbabilityGrid& grid_;
+  const CorrelativeScanMatcherOptions& options_;
+  PointCloud points_;
+  SearchWindow window_;
+  TurnedScan scan_;
+  int radius_;  ///< of the window [cells]
+  std::vector<std::uint32_t> sums_;
+  CorrelativeMatch best_;
+};
+
 }  // namespace
 
 CorrelativeMatch MatchCorrelative(const PointCloud& points_in_scan, const ProbabilityGrid& grid,
                                   const Pose2& submap_from_scan_guess,
                                   const CorrelativeScanMatcherOptions& options) {
   assert(!points_in_scan.empty());
-  const SearchWindow window =
-      MakeSearchWindow(points_in_scan, submap_from_scan_guess, options.linear_search_window,
-                       options.angular_search_window, grid.resolution());
-  const PointCloud points = Interleaved(points_in_scan);
-  const std::size_t num_first = (points.size() + 1) / 2;
-  const std::size_t num_others = points.size() - num_first;
-  const TurnedScan scan(window, points);
-  const int radius = window.num_linear_steps;
-  const int side = 2 * radius + 1;
-  CorrelativeMatch best{submap_from_scan_guess, 0.0};
-  for (const int angle : FromTheMiddle(window.num_angular_steps)) {
-    const double turned = std::abs(angle) * window.angular_step;
-    const double turn_penalty = DeltaPenalty(0.0, turned, options);
-    if (kHighestMean * turn_penalty <= best.score) break;
-    const std::vector<CellIndex> cells = scan.CellsAt(angle);
-    std::vector<std::uint32_t> sums(side * side, 0);
-    AddShifted(grid, cells.data(), num_first, radius, sums.data());
-    // At the other points the grid has the highest probability at most.
-    const std::uint32_t max_sum =
-        *std::max_element(sums.begin(), sums.end()) + num_others * StepsAboveMin(kMaxCellValue);
-    if (MeanProbability(max_sum, points.size()) * turn_penalty <= best.score) continue;
-    AddShifted(grid, cells.data() + num_first, num_others, radius, sums.data());
-    for (int k = 0; k < side * side; ++k) {
-      const double mean = MeanProbability(sums[k], cells.size());
-      if (mean <= best.score) continue;  // before any penalty
-      const CellIndex offset{k % side - radius, k / side - radius};
-      const double penalty =
-          DeltaPenalty(std::hypot(offset.x, offset.y) * window.resolution, turned, options);
-      if (mean * penalty > best.score) best = {PoseInWindow(window, offset, angle), mean * penalty};
-    }
-  }
-  return best;
+  return CorrelativeSearch(points_in_scan, grid, submap_from_scan_guess, options).Run();
 }
 
 }  // namespace loopscope

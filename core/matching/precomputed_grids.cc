@@ -60,6 +60,36 @@ int ReversedBits(int value, int num_bits) {
 /// Loads of whole vectors may read beyond the last entry.
 constexpr int kSlack = 256;
 
+/// Maxima of two values so far apart, one after the other, are maxima of 2^height + sweep values:
+/// by doubling of 2, of 4, of 8, ...
+std::vector<int> ShiftsOf(int height, int sweep) {
+  std::vector<int> shifts;
+  for (int half = 1; half < 1 << height; half *= 2) shifts.push_back(half);
+  if (sweep > 0) shifts.push_back(sweep);
+  return shifts;
+}
+
+/// Of each cell of `box`, which reaches `reach` cells lower than the finest grid, and of the
+/// `reach` cells above it: the maximum along y, row by row. Below the low border of the grid stand
+/// zeros.
+std::vector<std::uint8_t> MaximaAlongY(const PrecomputedGrid& finest, const CellBox& box, int reach,
+                                       const std::vector<int>& shifts) {
+  const auto width = static_cast<std::size_t>(box.width);
+  const auto num_rows = static_cast<std::size_t>(box.height + reach);
+  std::vector<std::uint8_t> maxima(num_rows * width, 0);
+  for (int y = 0; y < finest.box().height; ++y) {
+    std::uint8_t* const to = maxima.data() + (y + reach) * width + reach;
+    for (int x = 0; x < finest.box().width; x += PrecomputedGrid::kStripStep) {
+      std::copy_n(finest.bytes() + finest.PlaceOf(0, 0, x, y),
+                  std::min<int>(PrecomputedGrid::kStripStep, finest.box().width - x), to + x);
+    }
+  }
+  for (const int shift : shifts) {
+    MaximaOfShifted(maxima.data(), shift * width, (num_rows - shift) * width);
+  }
+  return maxima;
+}
+
 }  // namespace
 
 PrecomputedGrid::PrecomputedGrid(const CellBox& box, int height)
@@ -86,35 +116,18 @@ PrecomputedGrid::PrecomputedGrid(const ProbabilityGrid& grid) : PrecomputedGrid(
 PrecomputedGrid::PrecomputedGrid(const PrecomputedGrid& finest, int height, int sweep)
     : PrecomputedGrid(Lower(finest.box(), (1 << height) - 1 + sweep), height) {
   assert(sweep <= stride());
+  // Eq. 17, first along y, then along x. The rows of a phase come one after the other.
   const int reach = stride() - 1 + sweep;
-  std::vector<int> shifts;
-  for (int half = 1; half < stride(); half *= 2) shifts.push_back(half);
-  if (sweep > 0) shifts.push_back(sweep);
-  // Maxima along y, by doubling: of 1, of 2, of 4, ... rows. Below the low border stand zeros.
-  const int width = box_.width;
-  const int num_rows = box_.height;
-  std::vector<std::uint8_t> maxima(static_cast<std::size_t>(num_rows + reach) * width, 0);
-  for (int y = 0; y < finest.box().height; ++y) {
-    std::uint8_t* to = maxima.data() + static_cast<std::size_t>(y + reach) * width + reach;
-    for (int x = 0; x < finest.box().width; x += kStripStep) {
-      std::copy_n(finest.bytes() + finest.PlaceOf(0, 0, x, y),
-                  std::min<int>(kStripStep, finest.box().width - x), to + x);
-    }
-  }
-  for (const int shift : shifts) {
-    MaximaOfShifted(maxima.data(), static_cast<std::size_t>(shift) * width,
-                    static_cast<std::size_t>(num_rows + reach - shift) * width);
-  }
-  // The same along x. The rows of a phase come one after the other.
+  const std::vector<int> shifts = ShiftsOf(height, sweep);
+  const std::vector<std::uint8_t> maxima = MaximaAlongY(finest, box_, reach, shifts);
   std::vector<std::uint8_t> line;
   std::vector<std::uint8_t> buffer;
   for (int phase = 0; phase < stride(); ++phase) {
-    for (int y = phase; y < num_rows; y += stride()) {
+    for (int y = phase; y < box_.height; y += stride()) {
       line.assign(num_columns_ * stride() + reach, 0);
-      std::copy_n(maxima.data() + static_cast<std::size_t>(y) * width, width, line.data());
-      for (const int shift : shifts) {
-        MaximaOfShifted(line.data(), shift, line.size() - shift);
-      }
+      std::copy_n(maxima.data() + static_cast<std::size_t>(y) * box_.width, box_.width,
+                  line.data());
+      for (const int shift : shifts) MaximaOfShifted(line.data(), shift, line.size() - shift);
       line.resize(num_columns_ * stride());
       SetRow(y, &line, &buffer);
     }

@@ -44,6 +44,11 @@ RangeData RangeDataOfStep(const Recording& recording, int step) {
   return PrepareRangeData(recording.log(), step, LocalOptions(recording));
 }
 
+RangeData RangeDataInMap(const Recording& recording, const MapState& state, NodeId node) {
+  return Transform(state.global_from_node[node.index],
+                   RangeDataOfStep(recording, recording.node(node).step));
+}
+
 RangeData LoopScanOfNode(const Recording& recording, NodeId node) {
   return LoopScan(RangeDataOfStep(recording, recording.node(node).step), LocalOptions(recording));
 }

@@ -20,6 +20,9 @@ namespace loopscope {
 /// The readings of the scan of `step` that were used, in the frame of the robot.
 RangeData RangeDataOfStep(const Recording& recording, int step);
 
+/// Those of the scan of a node, in the global frame of `state`.
+RangeData RangeDataInMap(const Recording& recording, const MapState& state, NodeId node);
+
 /// Pose of a node in a submap as local SLAM had it.
 Pose2 SubmapFromNode(const Recording& recording, SubmapId submap, NodeId node);
 

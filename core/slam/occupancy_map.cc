@@ -20,16 +20,11 @@ constexpr double kMissProbability = 0.4;
 
 constexpr std::int64_t kMaxMapCells = 250000000;  // 1 GB
 
-RangeData RangeDataInMap(const Recording& recording, const MapState& state, int node) {
-  return Transform(state.global_from_node[node],
-                   RangeDataOfStep(recording, recording.nodes()[node].step));
-}
-
 /// Holds all rays.
 Eigen::AlignedBox2d ExtentOfScans(const Recording& recording, const MapState& state) {
   Eigen::AlignedBox2d extent;
   for (int i = 0; i < state.num_nodes; ++i) {
-    const RangeData range_data = RangeDataInMap(recording, state, i);
+    const RangeData range_data = RangeDataInMap(recording, state, NodeId{i});
     extent.extend(range_data.origin);
     for (const Eigen::Vector2d& point : range_data.returns) extent.extend(point);
     for (const Eigen::Vector2d& point : range_data.misses) extent.extend(point);
@@ -62,7 +57,7 @@ OccupancyMap BuildOccupancyMap(const Recording& recording, const MapState& state
     }
   };
   for (int i = 0; i < state.num_nodes; ++i) {
-    const ScanCells cells = CastRays(RangeDataInMap(recording, state, i), map.resolution);
+    const ScanCells cells = CastRays(RangeDataInMap(recording, state, NodeId{i}), map.resolution);
     observe(cells.hits, kHitProbability);
     observe(cells.misses, kMissProbability);
   }

@@ -65,9 +65,13 @@ void Look(const Recording& recording) {
 // Whatever a recording says of its last step: it is refused, or can be looked at.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace loopscope;
-  static const SmallRun run(kNumSteps + 1);
-  Recording recording(run.log(), LoopscopePreset());
-  for (int step = 0; step < kNumSteps; ++step) recording.Append(run.updates()[step]);
+  static const Recording steps_before = [] {
+    const SmallRun run(kNumSteps + 1);
+    Recording recording(run.log(), LoopscopePreset());
+    for (int step = 0; step < kNumSteps; ++step) recording.Append(run.updates()[step]);
+    return recording;
+  }();
+  Recording recording = steps_before;
   ByteReader in({reinterpret_cast<const char*>(data), size}, "fuzz.loopscope", "the last step");
   try {
     SlamUpdate update = GetUpdate(&in);
