@@ -120,7 +120,7 @@ void LoopSearch::AddSubmap(SubmapId id, const ProbabilityGrid& grid) {
 void LoopSearch::Consider(const LoopCandidate& candidate,
                           std::shared_ptr<const RangeData> scan_in_node, double sampling_share) {
   if (Sample(sampling_share, submaps_.at(candidate.submap).get())) {
-    SearchAlso(candidate, std::move(scan_in_node));
+    Begin(candidate, std::move(scan_in_node));
     return;
   }
   LoopCandidate left_out;
@@ -130,19 +130,20 @@ void LoopSearch::Consider(const LoopCandidate& candidate,
   pending_.push_back(std::make_unique<LoopCandidate>(left_out));
 }
 
-void LoopSearch::SearchAlso(const LoopCandidate& candidate,
-                            std::shared_ptr<const RangeData> scan_in_node) {
+void LoopSearch::Begin(const LoopCandidate& candidate,
+                       std::shared_ptr<const RangeData> scan_in_node) {
   pending_.push_back(std::make_unique<LoopCandidate>(candidate));
-  Search(pending_.back().get(), std::move(scan_in_node));
+  BeginInPlace(pending_.back().get(), std::move(scan_in_node));
 }
 
-void LoopSearch::Search(LoopCandidate* candidate, std::shared_ptr<const RangeData> scan_in_node) {
+void LoopSearch::BeginInPlace(LoopCandidate* candidate,
+                              std::shared_ptr<const RangeData> scan_in_node) {
   std::vector<Pair>& batch = batches_[candidate->submap];
   batch.push_back({candidate, std::move(scan_in_node)});
-  if (batch.size() == kBatchSize) Begin(std::exchange(batch, {}));
+  if (batch.size() == kBatchSize) HandOver(std::exchange(batch, {}));
 }
 
-void LoopSearch::Begin(std::vector<Pair> batch) {
+void LoopSearch::HandOver(std::vector<Pair> batch) {
   if (batch.empty()) return;
   const SubmapId id = batch.front().candidate->submap;
   const PackedGrid* const grid = &submaps_.at(id)->grid;
@@ -163,7 +164,7 @@ void LoopSearch::Begin(std::vector<Pair> batch) {
 }
 
 void LoopSearch::Wait() {
-  for (auto& [submap, batch] : std::exchange(batches_, {})) Begin(std::move(batch));
+  for (auto& [submap, batch] : std::exchange(batches_, {})) HandOver(std::move(batch));
   pool_.Wait();
 }
 

@@ -43,16 +43,17 @@ class LoopSearch {
   /// Makes a finished submap known.
   void AddSubmap(SubmapId id, const ProbabilityGrid& grid);
 
-  /// Searches the pair of `candidate`, or leaves it if it is not its turn by sampling_ratio, where
-  /// it counts as `sampling_share` of a pair.
+  /// Begins a search of the pair of `candidate`, if it is its turn by sampling_ratio, for which it
+  /// counts as `sampling_share` of a pair. Collect gives it back, searched or not.
   void Consider(const LoopCandidate& candidate, std::shared_ptr<const RangeData> scan_in_node,
                 double sampling_share = 1.0);
 
-  /// Searches the pair of `candidate`, whether it is its turn or not.
-  void SearchAlso(const LoopCandidate& candidate, std::shared_ptr<const RangeData> scan_in_node);
+  /// Begins a search of the pair of `candidate`, whose result Collect gives.
+  void Begin(const LoopCandidate& candidate, std::shared_ptr<const RangeData> scan_in_node);
 
-  /// Searches the pair of `candidate` in any case. Its address must last until Wait.
-  void Search(LoopCandidate* candidate, std::shared_ptr<const RangeData> scan_in_node);
+  /// Begins a search of the pair of `candidate`, which is the result after Wait. Its address must
+  /// last until then.
+  void BeginInPlace(LoopCandidate* candidate, std::shared_ptr<const RangeData> scan_in_node);
   void Wait();
 
   /// Waits for the searches; the candidates considered since the last call, by submap and node.
@@ -66,7 +67,7 @@ class LoopSearch {
   };
 
   /// Hands searches in one submap to a thread.
-  void Begin(std::vector<Pair> batch);
+  void HandOver(std::vector<Pair> batch);
 
   /// Whether it is the turn of a pair with `submap`: a share sampling_ratio of the pairs says so.
   bool Sample(double sampling_share, SearchedSubmap* submap) const;

@@ -205,7 +205,7 @@ void PoseGraph::LookAgain(int step) {
     const LoopCandidate candidate =
         CandidateOf(submap, node, ways_from_submap[data.first_submap.index], step);
     if (candidate.verdict != Verdict::kTooFar) {
-      loop_search_.SearchAlso(WithDriftShare(candidate, drift_share_), data.scan);
+      loop_search_.Begin(WithDriftShare(candidate, drift_share_), data.scan);
     }
   }
   num_looked_at_ = finished_submaps_.size();
@@ -224,7 +224,7 @@ std::vector<LoopCandidate> PoseGraph::LookLast(int step) {
     if (data.scan->returns.empty()) continue;
     LoopCandidate candidate = CandidateOf(submap, node, 0.0, step);  // no drift: the least window
     candidate.last_look = true;
-    loop_search_.SearchAlso(candidate, data.scan);
+    loop_search_.Begin(candidate, data.scan);
   }
   std::vector<LoopCandidate> candidates = loop_search_.Collect();
   TakeIn(&candidates, step);
@@ -270,7 +270,7 @@ void PoseGraph::SearchWhereLoopHasIt(const LoopCandidate& loop, LoopCandidate* p
   pair->linear_search_window = least.linear_search_window;
   pair->angular_search_window = least.angular_search_window;
   pair->min_score = graph_.submap(loop.submap).min_loop_score;
-  loop_search_.Search(pair, node.scan);
+  loop_search_.BeginInPlace(pair, node.scan);
 }
 
 GraphSolution PoseGraph::Optimize() {

@@ -42,10 +42,10 @@ class PoseGraph {
   /// only what is new moves, and what its loops tie it to, see PoseGraphOptions.
   GraphSolution Optimize();
 
-  /// Likewise of all, to the end.
+  /// Like Optimize, but all poses move, until the cost falls no more.
   GraphSolution OptimizeFully();
 
-  /// Likewise, for good: all loops are tried.
+  /// Like OptimizeFully, but all loops that were left out are tried again.
   GraphSolution OptimizeAnew();
 
   /// Of their windows that searches take since the last optimization.

@@ -68,16 +68,17 @@ class LocalSlam {
   std::optional<Doubt> DoubtIn(const Pose2& odom_from_base, const ScanMatch& match) const;
   /// Where the scan matches whatever odometry says.
   ScanMatch MatchWithoutOdometry(const ScanToMatch& scan, const MatchedSubmap& submap) const;
-  /// Where odometry has the scan, or if that is doubtful, where it matches without, if the robot
-  /// ever made a motion like that; where the motions before have it if it matches nowhere at all.
+  /// Where odometry has the scan; or if that is doubtful, where the scan matches without odometry,
+  /// if the robot ever made a motion like that. If it matches at neither, where the motions before
+  /// have it.
   ScanMatch MatchInDoubt(const ScanToMatch& scan, const LocalSlamResult& result,
                          const MatchedSubmap& submap) const;
-  /// Of a scan that is not there yet, around where odometry has it; nothing if too little of it is
-  /// matched.
+  /// Matches a scan that comes later, around where it is predicted; nothing if it has too few
+  /// points.
   std::optional<ScanMatch> MatchScanAhead(int scan, const Pose2& local_from_predicted,
                                           const MatchedSubmap& submap, double expected_score) const;
-  /// The scores, summed, of `num_scans` scans behind `scan` where odometry leads to from
-  /// `submap_from_base`, where `scan` would have been.
+  /// The sum of the scores of the `num_scans` scans that follow `scan`, each around where odometry
+  /// leads to if `scan` was at `submap_from_base`.
   double ScoreOfScansAhead(int scan, const Pose2& submap_from_base, const MatchedSubmap& submap,
                            int num_scans) const;
   /// Where scan `scan` was, which matches nowhere in `submap`: between the scan before it and the

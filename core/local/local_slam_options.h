@@ -66,15 +66,15 @@ struct LocalSlamOptions {
   /// Where odometry stands still, a scan is also matched as if there were none, and believed there
   /// if it scores this many times as much; 0: never. Not in Cartographer. Odometry may hang.
   double standstill_min_score_ratio = 0.0;
-  /// Likewise, but together with the three scans ahead, where odometry measured a motion that it
-  /// hardly ever measures, see UsualMotion, or that is like none of PastMotions, unless the scan
-  /// matches there by 80 % of what is expected; and where the scan matches nowhere. Not in
-  /// Cartographer. Odometry may jump.
+  /// Odometry may jump. Where it measured a motion that it hardly ever measures (UsualMotion) or
+  /// that is like none of PastMotions, and the scan matches there by less than 80 % of what is
+  /// expected, or where the scan matches nowhere, it is also matched as if there were no odometry.
+  /// It is believed there if it and the three scans ahead score this many times as much; 0: never.
+  /// Not in Cartographer.
   double unusual_motion_min_score_ratio = 0.0;
-  /// Where no odometry predicts a scan, and scans are so sparse that the velocity does not either,
-  /// the score of a pose counts times the likelihood of the motion to it, judged by those before,
-  /// to this power: as many readings as the reciprocal tell as much as all that is known of the
-  /// motion; 0: velocity predicts all scans. Not in Cartographer. See MotionPrior.
+  /// Where neither odometry predicts a scan nor, for scans are sparse, the velocity, the score of a
+  /// pose is multiplied by the likelihood of the motion to it, judged by those before
+  /// (MotionPrior), to this power; 0: the velocity predicts all scans. Not in Cartographer.
   double past_motions_weight = 0.0;
   /// Scans that are far apart, or without odometry, are matched with a grid whose walls are a cell
   /// wider to all sides, where they stand for this share; 0: with the grid as it is. Not in

@@ -30,13 +30,15 @@ struct MatchPrior {
   bool is_far_from_before = false;
 };
 
-/// Local scan matching: the correlative matcher, if it is switched on, then (CS). Around a prior
-/// that was not measured both look further, see unmeasured_prior_scale. If the scan matches badly
-/// there, measured by the `expected_score`, but well where the velocity has it, odometry was wrong.
-/// If it matches badly at both, it is searched for in a wide window around the prior, of one that
-/// was not measured first nearby; if it is not found there either, and its points in known cells
-/// match badly too, it stays at the prior: kNone. Of a prior that was measured and is far from
-/// before, points in known cells that match well suffice, and nothing is searched.
+/// Local scan matching: by the correlative matcher, if it is switched on, then (CS). Of these the
+/// first that matches well, which is measured by the `expected_score`:
+/// 1. around the prior, farther if it was not measured (unmeasured_prior_scale);
+/// 2. where the velocity has the robot: then odometry was wrong;
+/// 3. at the prior of 1, if that is measured and far from before, and the points in known cells
+///    match well;
+/// 4. in a wide window around the prior; of one that was not measured first nearby;
+/// 5. at the prior of 1, if the points in known cells match well;
+/// 6. nowhere: the scan stays at the prior, kNone.
 ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& grid,
                     const MatchPrior& prior, double expected_score,
                     const LocalSlamOptions& options);

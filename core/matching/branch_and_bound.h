@@ -50,9 +50,9 @@ class BranchAndBoundMatcher {
                        double linear_window, double angular_window, double min_score,
                        SearchTrace* trace = nullptr) const;
 
-  /// A pose of the window of Search that is farther than `min_distance` [m] from `winner` and
-  /// scores more than `min_score`, at any angle; not the best of them. Nothing if there is none:
-  /// then the winner is where the scan fits, and not one place of many.
+  /// Any pose of the window of Search that scores more than `min_score` farther than `min_distance`
+  /// [m] from `winner`, at any angle. Nothing if there is none: then the winner is the only place
+  /// where the scan fits.
   std::optional<SearchResult> FindRival(const PointCloud& points_in_scan,
                                         const Pose2& submap_from_scan_guess, double linear_window,
                                         double angular_window, const Pose2& winner,

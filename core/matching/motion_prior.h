@@ -9,11 +9,11 @@
 
 namespace loopscope {
 
-/// How likely a robot is to have made a motion, judged by those it made before: their density, as
-/// a blurred histogram has it (Parzen, "On Estimation of a Probability Density Function and Mode",
-/// 1962), in parts of the highest and to the power of an exponent, as the weight of a pose in a
-/// search. Its bins are a sixth as wide as what the robot usually moves, in both directions, and
-/// 4 deg of turn; it reaches three times as far as what is usual, and 90 deg.
+/// How likely a robot is to have made a motion, judged by those it made before, as the weight of a
+/// pose in a search: the density of the motions before, in parts of the highest, to the power of an
+/// exponent. The density is that of a blurred histogram (Parzen, "On Estimation of a Probability
+/// Density Function and Mode", 1962). Its bins are a sixth as wide as the robot usually moves,
+/// along x and y, and 4 deg of turn; it reaches three times as far as is usual, and 90 deg.
 ///
 /// A motion is that of the robot from one scan to the next, in the frame of the first.
 class MotionPrior {

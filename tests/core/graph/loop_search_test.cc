@@ -170,7 +170,7 @@ TEST_F(LoopSearchInARoom, FindsTheSameInABatchAsAlone) {
   search.AddSubmap(SubmapId{0}, room_.grid());
   constexpr int kNumPairs = 70;  // more than two batches
   for (int node = 0; node < kNumPairs; ++node) {
-    search.SearchAlso(Candidate(0, node, node % 2 == 0 ? 0.3 : 0.9), ScanOf(points_));
+    search.Begin(Candidate(0, node, node % 2 == 0 ? 0.3 : 0.9), ScanOf(points_));
   }
   const std::vector<LoopCandidate> found = search.Collect();
   ASSERT_EQ(found.size(), static_cast<std::size_t>(kNumPairs));
