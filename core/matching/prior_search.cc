@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdlib>
+#include <functional>
 #include <tuple>
 #include <vector>
 
@@ -45,10 +46,12 @@ class PriorSearch {
     for (int angle = -window_.num_angular_steps; angle <= window_.num_angular_steps; ++angle) {
       BoundBlocksAt(angle);
     }
-    std::sort(blocks_.begin(), blocks_.end());
-    for (const Block& block : blocks_) {
-      if (block.bound <= best_.score) break;
-      ScorePosesOf(block, scan_.CellsAt(block.angle));
+    // Best first; most are never asked for.
+    std::make_heap(blocks_.begin(), blocks_.end(), std::greater<>());
+    while (!blocks_.empty() && blocks_.front().bound > best_.score) {
+      std::pop_heap(blocks_.begin(), blocks_.end(), std::greater<>());
+      ScorePosesOf(blocks_.back(), scan_.CellsAt(blocks_.back().angle));
+      blocks_.pop_back();
     }
     return best_;
   }
@@ -64,6 +67,7 @@ class PriorSearch {
       return std::tuple(-a.bound, a.angle, a.offset.y, a.offset.x) <
              std::tuple(-b.bound, b.angle, b.offset.y, b.offset.x);
     }
+    friend bool operator>(const Block& a, const Block& b) { return b < a; }
   };
 
   /// Bounds the blocks at an angle, scores the poses of the best, and keeps those that may beat it.
