@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include "app/cli/map_to_file.h"
 #include "app/cli/options_arguments.h"
 #include "core/io/carmen_log.h"
+#include "core/slam/loop_explanation.h"
 
 namespace loopscope {
 namespace {
@@ -39,21 +41,18 @@ void PrintNotes(const ScanLog& log) {
 void PrintSummary(const Recording& recording, const std::string& output, double seconds) {
   const auto& scans = recording.log().scans;
   const int num_steps = recording.num_steps();
-  const auto num_with = [&](Verdict verdict) {
+  std::vector<std::string> counts;
+  for (const Verdict verdict : kRecordedVerdicts) {
+    const auto has_verdict = [verdict](const LoopCandidate& c) { return c.verdict == verdict; };
     const auto& candidates = recording.candidates();
-    return std::count_if(candidates.begin(), candidates.end(), [&](const LoopCandidate& candidate) {
-      return candidate.verdict == verdict;
-    });
-  };
+    counts.push_back(fmt::format("{} {}",
+                                 std::count_if(candidates.begin(), candidates.end(), has_verdict),
+                                 ToString(verdict)));
+  }
   const double log_seconds = num_steps > 0 ? scans[num_steps - 1].time - scans[0].time : 0.0;
   fmt::print("{}: {} of {} scans, {} nodes, {} submaps\n", output, num_steps, scans.size(),
              recording.nodes().size(), recording.submaps().size());
-  fmt::print(
-      "loops: {} closed, {} inconsistent, {} ambiguous, {} from behind, {} below the score, {} not "
-      "sampled\n",
-      num_with(Verdict::kAccepted), num_with(Verdict::kInconsistent), num_with(Verdict::kAmbiguous),
-      num_with(Verdict::kFromBehind), num_with(Verdict::kBelowMinScore),
-      num_with(Verdict::kNotSampled));
+  fmt::print("loops: {}\n", fmt::join(counts, ", "));
   fmt::print("{:.1f} s for {:.0f} s of log: {:.0f} times real time, {:.0f} scans/s\n", seconds,
              log_seconds, log_seconds / seconds, num_steps / seconds);
 }

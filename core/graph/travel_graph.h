@@ -23,7 +23,7 @@ class TravelGraph {
   void AddLoop(SubmapId a, SubmapId b);
 
   /// The shortest way [m] from `from` to every submap. The last answer is kept, for nodes of one
-  /// submap ask for the same.
+  /// submap ask for the same: the reference holds until the next call, AddSubmap or AddLoop.
   const std::vector<double>& WaysFrom(SubmapId from) const;
 
  private:
