@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include <SQLiteCpp/SQLiteCpp.h>
-#include <SQLiteCpp/VariadicBind.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -16,24 +15,13 @@
 #include "core/io/file_error.h"
 #include "core/io/recording_hash.h"
 #include "tests/support/small_recording.h"
+#include "tests/support/small_recording_file.h"
 #include "tests/support/temporary_folder.h"
 
 namespace loopscope {
 namespace {
 
 using testing::HasSubstr;
-
-/// Writes the first `num_steps` of a run; all by default.
-void Write(const std::string& path, const SmallRun& run, int num_steps = 1 << 30) {
-  RecordingWriter writer(path, run.log(), CartographerPreset());
-  for (const SlamUpdate& update : run.updates()) {
-    if (num_steps-- > 0) writer.Append(update);
-  }
-}
-
-void Execute(const std::string& path, const std::string& sql) {
-  SQLite::Database(path, SQLite::OPEN_READWRITE).exec(sql);
-}
 
 std::vector<std::string> FilesIn(const std::string& folder) {
   std::vector<std::string> names;
@@ -185,99 +173,6 @@ TEST(RecordingFile, ThrowsIfTheFileIsNoRecording) {
     EXPECT_EQ(MessageOf([&] { ReadRecording(path); }), path + ": not a Loopscope recording");
   }
   EXPECT_THAT(MessageOf([&] { ReadRecording(folder.Path("none")); }), HasSubstr("no such file"));
-}
-
-/// Takes the poses of steps apart, as they were stored until schema 2.
-void UnpackSteps(const std::string& path, const Recording& recording) {
-  SQLite::Database database(path, SQLite::OPEN_READWRITE);
-  database.exec(
-      "ALTER TABLE step RENAME TO packed;"
-      "CREATE TABLE step (id INTEGER PRIMARY KEY, outcome INTEGER NOT NULL, prior_x, prior_y, "
-      "prior_rotation, correlative_x, correlative_y, correlative_rotation, x, y, rotation, "
-      "finished_submap INTEGER);"
-      "INSERT INTO step (id, outcome, finished_submap) "
-      "SELECT id, outcome, finished_submap FROM packed;"
-      "DROP TABLE packed; PRAGMA user_version = 2");
-  const auto set = [&](int step, const std::string& prefix, const Pose2& pose) {
-    SQLite::Statement update(database, "UPDATE step SET " + prefix + "x = ?, " + prefix +
-                                           "y = ?, " + prefix + "rotation = ? WHERE id = ?");
-    SQLite::bind(update, pose.x(), pose.y(), pose.rotation, step);
-    update.exec();
-  };
-  for (int i = 0; i < recording.num_steps(); ++i) {
-    const Step& step = recording.step(i);
-    set(i, "prior_", step.local_from_base_prior);
-    if (step.local_from_base_correlative) set(i, "correlative_", *step.local_from_base_correlative);
-    set(i, "", step.local_from_base);
-  }
-}
-
-TEST(RecordingFile, ReadsTheFirstSchemaWhichHadNoDriftShares) {
-  const TemporaryFolder folder;
-  const std::string path = folder.Path("a.loopscope");
-  Write(path, SmallRun(25));
-  const Recording written = ReadRecording(path);
-  UnpackSteps(path, written);
-  Execute(path,
-          "ALTER TABLE optimization DROP COLUMN linear_drift_share;"
-          "ALTER TABLE optimization DROP COLUMN angular_drift_share;"
-          "PRAGMA user_version = 1");
-  const Recording read = ReadRecording(path);
-  ASSERT_GT(read.optimizations().size(), 0u);
-  ASSERT_EQ(read.optimizations().size(), written.optimizations().size());
-  EXPECT_EQ(read.optimizations()[0].drift_share.linear, 1.0);
-  EXPECT_EQ(read.optimizations()[0].drift_share.angular, 1.0);
-  EXPECT_EQ(read.optimizations()[0].global_from_node, written.optimizations()[0].global_from_node);
-}
-
-TEST(RecordingFile, ReadsTheSecondSchemaWhichHadAColumnForEachNumberOfAStep) {
-  const TemporaryFolder folder;
-  const std::string path = folder.Path("a.loopscope");
-  Write(path, SmallRun(25));
-  const Recording written = ReadRecording(path);
-  UnpackSteps(path, written);
-  const Recording read = ReadRecording(path);
-  ASSERT_EQ(read.num_steps(), 25);
-  for (int i = 0; i < 25; ++i) {
-    SCOPED_TRACE(i);
-    EXPECT_EQ(read.step(i).local_from_base_prior, written.step(i).local_from_base_prior);
-    EXPECT_EQ(read.step(i).local_from_base_correlative,
-              written.step(i).local_from_base_correlative);
-    EXPECT_EQ(read.step(i).local_from_base, written.step(i).local_from_base);
-    EXPECT_EQ(read.step(i).outcome, written.step(i).outcome);
-    EXPECT_EQ(read.step(i).match_start, std::nullopt);
-  }
-  EXPECT_EQ(read.submaps()[0].finished_step, written.submaps()[0].finished_step);
-}
-
-TEST(RecordingFile, ReadsTheThirdSchemaWhichCalibratedTheDirectionOfOdometryAlone) {
-  const TemporaryFolder folder;
-  const std::string path = folder.Path("a.loopscope");
-  Write(path, SmallRun(25));
-  Execute(path,
-          "UPDATE option SET key = 'TRAJECTORY_BUILDER_2D.odometry_direction_memory', value = '7' "
-          "WHERE key = 'TRAJECTORY_BUILDER_2D.odometry_calibration_memory';"
-          "PRAGMA user_version = 3");
-  EXPECT_EQ(ReadRecording(path).options().trajectory_builder_2d.odometry_calibration_memory, 7.0);
-}
-
-TEST(RecordingFile, ReadsTheFifthSchemaWhichDidNotTellOfWideWalls) {
-  const TemporaryFolder folder;
-  const std::string path = folder.Path("a.loopscope");
-  Write(path, SmallRun(25));
-  Execute(path, "ALTER TABLE step DROP COLUMN wide_walls; PRAGMA user_version = 5");
-  const Recording read = ReadRecording(path);
-  ASSERT_EQ(read.num_steps(), 25);
-  EXPECT_FALSE(read.step(24).wide_walls);
-}
-
-TEST(RecordingFile, ThrowsIfTheSchemaIsNewer) {
-  const TemporaryFolder folder;
-  const std::string path = folder.Path("a.loopscope");
-  Write(path, SmallRun(3));
-  Execute(path, "PRAGMA user_version = 7");
-  EXPECT_EQ(MessageOf([&] { ReadRecording(path); }),
-            path + ": recording of schema 7, made by a newer Loopscope; expected at most 6");
 }
 
 TEST(RecordingFile, ThrowsIfItIsInconsistent) {
