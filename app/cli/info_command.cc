@@ -115,11 +115,7 @@ void PrintMatches(const Recording& recording) {
 }
 
 void PrintLoops(const std::vector<LoopCandidate>& candidates) {
-  for (const Verdict verdict : kRecordedVerdicts) {
-    const auto has_verdict = [verdict](const LoopCandidate& c) { return c.verdict == verdict; };
-    PrintRow("loops", "{} {}", std::count_if(candidates.begin(), candidates.end(), has_verdict),
-             ToString(verdict));
-  }
+  for (const std::string& count : VerdictSummary(candidates)) PrintRow("loops", "{}", count);
 }
 
 void PrintRecording(const InfoArguments& arguments) {

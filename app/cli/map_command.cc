@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -41,18 +39,10 @@ void PrintNotes(const ScanLog& log) {
 void PrintSummary(const Recording& recording, const std::string& output, double seconds) {
   const auto& scans = recording.log().scans;
   const int num_steps = recording.num_steps();
-  std::vector<std::string> counts;
-  for (const Verdict verdict : kRecordedVerdicts) {
-    const auto has_verdict = [verdict](const LoopCandidate& c) { return c.verdict == verdict; };
-    const auto& candidates = recording.candidates();
-    counts.push_back(fmt::format("{} {}",
-                                 std::count_if(candidates.begin(), candidates.end(), has_verdict),
-                                 ToString(verdict)));
-  }
   const double log_seconds = num_steps > 0 ? scans[num_steps - 1].time - scans[0].time : 0.0;
   fmt::print("{}: {} of {} scans, {} nodes, {} submaps\n", output, num_steps, scans.size(),
              recording.nodes().size(), recording.submaps().size());
-  fmt::print("loops: {}\n", fmt::join(counts, ", "));
+  fmt::print("loops: {}\n", fmt::join(VerdictSummary(recording.candidates()), ", "));
   fmt::print("{:.1f} s for {:.0f} s of log: {:.0f} times real time, {:.0f} scans/s\n", seconds,
              log_seconds, log_seconds / seconds, num_steps / seconds);
 }

@@ -91,6 +91,12 @@ void PrintTree(const SearchTrace& trace) {
   }
 }
 
+void PrintFound(const LoopCandidate& result) {
+  fmt::print("score     {:.4f}, needed {:.4f}; no pose has more than {:.4f}\n", result.score,
+             result.min_score, result.score_bound);
+  fmt::print("found at  {}\n", ToText(result.submap_from_node_searched));
+}
+
 void PrintSearch(const SearchReplay& search) {
   const SearchWindow& window = search.trace.window;
   const LoopCandidate& result = search.result;
@@ -105,9 +111,7 @@ void PrintSearch(const SearchReplay& search) {
              RadiansToDegrees(window.angular_step));
   fmt::print("poses     {:.0f}, of which {:.0f} nodes of the tree were scored ({:.2g} %)\n",
              num_poses, num_scored, 100.0 * num_scored / num_poses);
-  fmt::print("score     {:.4f}, needed {:.4f}; no pose has more than {:.4f}\n", result.score,
-             result.min_score, result.score_bound);
-  fmt::print("found at  {}\n", ToText(result.submap_from_node_searched));
+  PrintFound(result);
   if (search.trace.winner >= 0) fmt::print("refined   {}\n", ToText(result.submap_from_node));
   if (search.recorded) fmt::print("verdict   {}\n", ToString(search.candidate.verdict));
   PrintTree(search.trace);
@@ -155,9 +159,7 @@ void PrintWhole(const LoopCandidate& found) {
   fmt::print("node {}, submap {}: everywhere in the submap, at every angle\n", ToString(found.node),
              ToString(found.submap));
   fmt::print("guess     {}\n", ToText(found.submap_from_node_guess));
-  fmt::print("score     {:.4f}, needed {:.4f}; no pose has more than {:.4f}\n", found.score,
-             found.min_score, found.score_bound);
-  fmt::print("found at  {}\n", ToText(found.submap_from_node_searched));
+  PrintFound(found);
   if (found.verdict == Verdict::kBelowMinScore) return;
   const Pose2 guess_from_node = found.submap_from_node_guess.Inverse() * found.submap_from_node;
   fmt::print("refined   {}\n", ToText(found.submap_from_node));

@@ -19,6 +19,9 @@ class NearPairs {
   void AddNode(NodeId node, const GraphState& graph);
   void AddFinishedSubmap(SubmapId submap, const GraphState& graph);
 
+  /// In the order in which they were added.
+  const std::vector<SubmapId>& finished_submaps() const { return finished_submaps_; }
+
   /// All finished submaps in reach of the node, and some that are not, ascending.
   std::vector<int> SubmapsNear(NodeId node, const GraphState& graph) const;
   /// All nodes in reach of the submap, and some that are not, ascending.

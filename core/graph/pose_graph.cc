@@ -101,7 +101,6 @@ void PoseGraph::FinishSubmap(SubmapId id, const ProbabilityGrid& grid, int step)
   graph_.submaps[id.index].min_loop_score = MinLoopScoreOf(id, grid);
   graph_.submaps[id.index].seen.emplace(grid);
   loop_search_.AddSubmap(id, grid);
-  finished_submaps_.push_back(id);
   near_pairs_.AddFinishedSubmap(id, graph_);
   ConsiderNearNodes(id, step);
 }
@@ -193,7 +192,7 @@ void PoseGraph::LookAgain(int step) {
   if (!SearchesLoops()) return;
   std::vector<SubmapPlace> places;
   for (std::size_t i = 0; i < num_looked_at_; ++i) {
-    places.push_back(PlaceOf(finished_submaps_[i]));
+    places.push_back(PlaceOf(near_pairs_.finished_submaps()[i]));
   }
   std::map<SubmapId, std::vector<double>> ways;
   for (const auto& [submap, node] :
@@ -208,7 +207,7 @@ void PoseGraph::LookAgain(int step) {
       loop_search_.Begin(WithDriftShare(candidate, drift_share_), data.scan);
     }
   }
-  num_looked_at_ = finished_submaps_.size();
+  num_looked_at_ = near_pairs_.finished_submaps().size();
 }
 
 std::vector<LoopCandidate> PoseGraph::LookLast(int step) {

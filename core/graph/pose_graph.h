@@ -95,8 +95,7 @@ class PoseGraph {
 
   PoseGraphOptions options_;
   GraphState graph_;
-  std::vector<SubmapId> finished_submaps_;
-  std::size_t num_looked_at_ = 0;  ///< of finished_submaps_: those whose own pairs were collected
+  std::size_t num_looked_at_ = 0;  ///< finished submaps whose own pairs were collected
   double counted_way_ = 0.0;       ///< [m] to the last node, as CountedWay has it
   LoopJudge loop_judge_;
   MeasuredDrift measured_drift_;

@@ -133,21 +133,26 @@ void ForEachCrossedRow(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const
   }
 }
 
-/// Holds every cell that a ray may cross, and one more all around against rounding.
-CellBox BoxOfRays(const RangeData& data, double resolution) {
+Eigen::AlignedBox2d ExtentOf(const RangeData& data) {
   Eigen::AlignedBox2d extent(data.origin);
   for (const Eigen::Vector2d& point : data.returns) extent.extend(point);
   for (const Eigen::Vector2d& point : data.misses) extent.extend(point);
-  const CellBox cells = BoxOf(extent, resolution);
-  const CellBox box{{cells.min.x - 1, cells.min.y - 1}, cells.width + 2, cells.height + 2};
-  RequireFits(box, resolution);
-  return box;
+  return extent;
 }
 
 }  // namespace
 
+CellBox BoxOfRays(const Eigen::AlignedBox2d& extent, double resolution,
+                  std::int64_t max_num_cells) {
+  if (extent.isEmpty()) return {};
+  const CellBox cells = BoxOf(extent, resolution);
+  const CellBox box{{cells.min.x - 1, cells.min.y - 1}, cells.width + 2, cells.height + 2};
+  RequireFits(box, resolution, max_num_cells);
+  return box;
+}
+
 ScanCells CastRays(const RangeData& data, double resolution, double max_wall_gap) {
-  const CellBox box = BoxOfRays(data, resolution);
+  const CellBox box = BoxOfRays(ExtentOf(data), resolution);
   ScanCells cells;
   CellSet hits(box);
   const auto hit = [&](const Eigen::Vector2d& point) {

@@ -7,6 +7,11 @@
 
 namespace loopscope {
 
+/// Holds every cell that a ray within `extent` [m] may cross, and one more all around against
+/// rounding. Throws std::length_error if these are more than `max_num_cells`, or as BoxOf.
+CellBox BoxOfRays(const Eigen::AlignedBox2d& extent, double resolution,
+                  std::int64_t max_num_cells = kMaxNumCells);
+
 /// The cells that `data` (in the frame of the grid) observes on a lattice of edge `resolution` [m].
 /// Hits are the cells of the returns; misses are all other cells whose pixel is crossed by a ray
 /// from the origin to a return or to the end of a miss, exactly, not only to the nearest cell. A

@@ -21,7 +21,9 @@ ScanMatchCost::ScanMatchCost(const PointCloud& points_in_scan, const Probability
 bool ScanMatchCost::operator()(const double* pose, double* residuals, double* jacobian) const {
   const int num_points = static_cast<int>(points_.size());
   const int num_rows = NumResiduals();
-  const auto& [unused_pose, arms, smooth] = EvaluationAt(Eigen::Vector3d(pose));
+  const Evaluation& evaluation = EvaluationAt(Eigen::Vector3d(pose));
+  const PointCloud& arms = evaluation.arms;
+  const SmoothValues& smooth = evaluation.smooth;
   for (int k = 0; k < num_points; ++k) {
     residuals[k] = point_weight_ * (1.0 - smooth.values[k]);
     if (jacobian == nullptr) continue;

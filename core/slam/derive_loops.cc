@@ -16,10 +16,13 @@ bool LiesIn(const Submap& submap, NodeId node) {
          node.index < submap.first_node.index + submap.num_nodes;
 }
 
-bool CanBeSearched(const Recording& recording, SubmapId submap, NodeId node) {
+/// What a search of the node in the submap uses; nothing if there can be none.
+std::optional<RangeData> SearchableScan(const Recording& recording, SubmapId submap, NodeId node) {
   const Submap& record = recording.submap(submap);
-  return record.finished_step >= 0 && !LiesIn(record, node) &&
-         !LoopScanOfNode(recording, node).returns.empty();
+  if (record.finished_step < 0 || LiesIn(record, node)) return std::nullopt;
+  RangeData scan = LoopScanOfNode(recording, node);
+  if (scan.returns.empty()) return std::nullopt;
+  return scan;
 }
 
 /// The pair as the mapper considered it, if it did so and searched it.
@@ -155,13 +158,13 @@ std::vector<double> NodeWays(const Recording& recording) {
 
 std::optional<SearchReplay> ReplaySearch(const Recording& recording, SubmapId submap, NodeId node,
                                          std::optional<double> min_score) {
-  if (!CanBeSearched(recording, submap, node)) return std::nullopt;
-  RangeData scan = LoopScanOfNode(recording, node);
+  std::optional<RangeData> scan = SearchableScan(recording, submap, node);
+  if (!scan) return std::nullopt;
   const std::optional<LoopCandidate> searched = SearchedCandidate(recording, submap, node);
   SearchReplay replay{searched.value_or(LoopCandidate{}),
                       searched.has_value(),
                       GridOfSubmap(recording, submap),
-                      std::move(scan),
+                      std::move(*scan),
                       LoopCandidate{},
                       SearchTrace{}};
   if (!searched) replay.candidate = ConsiderPair(recording, submap, node);
@@ -176,7 +179,8 @@ std::optional<SearchReplay> ReplaySearch(const Recording& recording, SubmapId su
 
 std::optional<LoopCandidate> SearchWholeSubmap(const Recording& recording, SubmapId submap,
                                                NodeId node, std::optional<double> min_score) {
-  if (!CanBeSearched(recording, submap, node)) return std::nullopt;
+  const std::optional<RangeData> scan = SearchableScan(recording, submap, node);
+  if (!scan) return std::nullopt;
   const ConstraintBuilderOptions& options = recording.options().pose_graph.constraint_builder;
   LoopCandidate candidate = ConsiderPair(recording, submap, node);
   candidate.whole_submap = true;
@@ -184,7 +188,7 @@ std::optional<LoopCandidate> SearchWholeSubmap(const Recording& recording, Subma
   const ProbabilityGrid grid = GridOfSubmap(recording, submap);
   const BranchAndBoundMatcher matcher(grid,
                                       options.fast_correlative_scan_matcher.branch_and_bound_depth);
-  return SearchLoop(candidate, LoopScanOfNode(recording, node), grid, matcher, options);
+  return SearchLoop(candidate, *scan, grid, matcher, options);
 }
 
 LoopGate GateOfPair(const Recording& recording, SubmapId submap, NodeId node) {

@@ -225,4 +225,14 @@ std::string ToString(Verdict verdict) {
   return "";
 }
 
+std::vector<std::string> VerdictSummary(const std::vector<LoopCandidate>& candidates) {
+  std::vector<std::string> counts;
+  for (const Verdict verdict : kRecordedVerdicts) {
+    const auto has_verdict = [verdict](const LoopCandidate& c) { return c.verdict == verdict; };
+    const auto count = std::count_if(candidates.begin(), candidates.end(), has_verdict);
+    counts.push_back(fmt::format("{} {}", count, ToString(verdict)));
+  }
+  return counts;
+}
+
 }  // namespace loopscope

@@ -35,4 +35,7 @@ Eigen::Vector3d LoopResidual(const MapState& state, const LoopCandidate& accepte
 /// "closed", "inconsistent", "ambiguous", "from behind", "below score", "not sampled", "too far".
 std::string ToString(Verdict verdict);
 
+/// How many of `candidates` have each of kRecordedVerdicts, such as "12 closed".
+std::vector<std::string> VerdictSummary(const std::vector<LoopCandidate>& candidates);
+
 }  // namespace loopscope

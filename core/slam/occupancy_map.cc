@@ -32,21 +32,12 @@ Eigen::AlignedBox2d ExtentOfScans(const Recording& recording, const MapState& st
   return extent;
 }
 
-/// One cell more all around, as CastRays has it against rounding.
-CellBox BoxOfMap(const Eigen::AlignedBox2d& extent, double resolution) {
-  if (extent.isEmpty()) return {};
-  const CellBox cells = BoxOf(extent, resolution);
-  const CellBox box{{cells.min.x - 1, cells.min.y - 1}, cells.width + 2, cells.height + 2};
-  RequireFits(box, resolution, kMaxMapCells);
-  return box;
-}
-
 }  // namespace
 
 OccupancyMap BuildOccupancyMap(const Recording& recording, const MapState& state) {
   OccupancyMap map;
   map.resolution = recording.options().trajectory_builder_2d.submaps.grid_resolution;
-  map.box = BoxOfMap(ExtentOfScans(recording, state), map.resolution);
+  map.box = BoxOfRays(ExtentOfScans(recording, state), map.resolution, kMaxMapCells);
   std::vector<float>& values = map.probabilities;  // log odds, to begin with
   values.assign(map.box.num_cells(), std::numeric_limits<float>::quiet_NaN());
   const auto observe = [&](const std::vector<CellIndex>& cells, double probability) {

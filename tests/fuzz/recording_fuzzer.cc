@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdint>
+#include <stdexcept>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "core/io/candidate_codec.h"
 #include "core/io/file_error.h"

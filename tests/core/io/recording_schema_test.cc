@@ -43,17 +43,23 @@ void UnpackSteps(const std::string& path, const Recording& recording) {
   }
 }
 
-TEST(RecordingSchema, ReadsTheFirstSchemaWhichHadNoDriftShares) {
-  const TemporaryFolder folder;
-  const std::string path = folder.Path("a.loopscope");
-  Write(path, SmallRun(25));
-  const Recording written = ReadRecording(path);
-  UnpackSteps(path, written);
-  Execute(path,
+/// Of a recording that is changed to what another version wrote.
+class RecordingSchema : public testing::Test {
+ protected:
+  RecordingSchema() { Write(path_, SmallRun(25)); }
+
+  const TemporaryFolder folder_;
+  const std::string path_ = folder_.Path("a.loopscope");
+};
+
+TEST_F(RecordingSchema, ReadsTheFirstSchemaWhichHadNoDriftShares) {
+  const Recording written = ReadRecording(path_);
+  UnpackSteps(path_, written);
+  Execute(path_,
           "ALTER TABLE optimization DROP COLUMN linear_drift_share;"
           "ALTER TABLE optimization DROP COLUMN angular_drift_share;"
           "PRAGMA user_version = 1");
-  const Recording read = ReadRecording(path);
+  const Recording read = ReadRecording(path_);
   ASSERT_GT(read.optimizations().size(), 0u);
   ASSERT_EQ(read.optimizations().size(), written.optimizations().size());
   EXPECT_EQ(read.optimizations()[0].drift_share.linear, 1.0);
@@ -61,13 +67,10 @@ TEST(RecordingSchema, ReadsTheFirstSchemaWhichHadNoDriftShares) {
   EXPECT_EQ(read.optimizations()[0].global_from_node, written.optimizations()[0].global_from_node);
 }
 
-TEST(RecordingSchema, ReadsTheSecondSchemaWhichHadAColumnForEachNumberOfAStep) {
-  const TemporaryFolder folder;
-  const std::string path = folder.Path("a.loopscope");
-  Write(path, SmallRun(25));
-  const Recording written = ReadRecording(path);
-  UnpackSteps(path, written);
-  const Recording read = ReadRecording(path);
+TEST_F(RecordingSchema, ReadsTheSecondSchemaWhichHadAColumnForEachNumberOfAStep) {
+  const Recording written = ReadRecording(path_);
+  UnpackSteps(path_, written);
+  const Recording read = ReadRecording(path_);
   ASSERT_EQ(read.num_steps(), 25);
   for (int i = 0; i < 25; ++i) {
     SCOPED_TRACE(i);
@@ -81,34 +84,25 @@ TEST(RecordingSchema, ReadsTheSecondSchemaWhichHadAColumnForEachNumberOfAStep) {
   EXPECT_EQ(read.submaps()[0].finished_step, written.submaps()[0].finished_step);
 }
 
-TEST(RecordingSchema, ReadsTheThirdSchemaWhichCalibratedTheDirectionOfOdometryAlone) {
-  const TemporaryFolder folder;
-  const std::string path = folder.Path("a.loopscope");
-  Write(path, SmallRun(25));
-  Execute(path,
+TEST_F(RecordingSchema, ReadsTheThirdSchemaWhichCalibratedTheDirectionOfOdometryAlone) {
+  Execute(path_,
           "UPDATE option SET key = 'TRAJECTORY_BUILDER_2D.odometry_direction_memory', value = '7' "
           "WHERE key = 'TRAJECTORY_BUILDER_2D.odometry_calibration_memory';"
           "PRAGMA user_version = 3");
-  EXPECT_EQ(ReadRecording(path).options().trajectory_builder_2d.odometry_calibration_memory, 7.0);
+  EXPECT_EQ(ReadRecording(path_).options().trajectory_builder_2d.odometry_calibration_memory, 7.0);
 }
 
-TEST(RecordingSchema, ReadsTheFifthSchemaWhichDidNotTellOfWideWalls) {
-  const TemporaryFolder folder;
-  const std::string path = folder.Path("a.loopscope");
-  Write(path, SmallRun(25));
-  Execute(path, "ALTER TABLE step DROP COLUMN wide_walls; PRAGMA user_version = 5");
-  const Recording read = ReadRecording(path);
+TEST_F(RecordingSchema, ReadsTheFifthSchemaWhichDidNotTellOfWideWalls) {
+  Execute(path_, "ALTER TABLE step DROP COLUMN wide_walls; PRAGMA user_version = 5");
+  const Recording read = ReadRecording(path_);
   ASSERT_EQ(read.num_steps(), 25);
   EXPECT_FALSE(read.step(24).wide_walls);
 }
 
-TEST(RecordingSchema, ThrowsIfItIsNewer) {
-  const TemporaryFolder folder;
-  const std::string path = folder.Path("a.loopscope");
-  Write(path, SmallRun(3));
-  Execute(path, "PRAGMA user_version = 7");
-  EXPECT_EQ(MessageOf([&] { ReadRecording(path); }),
-            path + ": recording of schema 7, made by a newer Loopscope; expected at most 6");
+TEST_F(RecordingSchema, ThrowsIfItIsNewer) {
+  Execute(path_, "PRAGMA user_version = 7");
+  EXPECT_EQ(MessageOf([&] { ReadRecording(path_); }),
+            path_ + ": recording of schema 7, made by a newer Loopscope; expected at most 6");
 }
 
 }  // namespace
