@@ -52,13 +52,21 @@ RelativeErrorDelta DeltaOf(const EvaluateArguments& arguments) {
   return DeltaInMeters{delta};
 }
 
+LoopTolerance LoopToleranceOf(const EvaluateArguments& arguments) {
+  const auto [meters, degrees] = arguments.loop_tolerance;
+  if (!(meters >= 0.0) || !(degrees >= 0.0)) {
+    throw std::invalid_argument(fmt::format(
+        "--loop-tolerance {} {}: expected metres and degrees of 0 or more", meters, degrees));
+  }
+  return {meters, DegreesToRadians(degrees)};
+}
+
 Truth ReadTruth(const EvaluateArguments& arguments) {
   Truth truth;
   if (!arguments.relations.empty()) truth.relations = ReadRelations(arguments.relations);
   if (!arguments.reference.empty()) truth.reference = ReadTum(arguments.reference);
   truth.delta = DeltaOf(arguments);
-  truth.loop_tolerance = {arguments.loop_tolerance.first,
-                          DegreesToRadians(arguments.loop_tolerance.second)};
+  truth.loop_tolerance = LoopToleranceOf(arguments);
   return truth;
 }
 
@@ -120,7 +128,11 @@ constexpr char kColumns[] =
     "loops within 20 cm and 1 deg of the optimized poses. true: of those held, within\n"
     "--loop-tolerance of the reference. recall: of the pairs of submaps that the reference puts\n"
     "closer than 3 m, and that see the same, those tied by a loop that is held and not false;\n"
-    "accepted: by any that is not false.\n"
+    "accepted: by any that is not false. --loops tells of a false loop how well its scan fits "
+    "near\n"
+    "to where the loop has it, and where the reference has it. The reference may be what is "
+    "wrong;\n"
+    "a loop that fits better there is false by its scan, too.\n"
     "wall, entropy: how thick walls are, and how blurred. disagree: what scans that see occupied\n"
     "cells as free have of all that see these. '-': does not apply.";
 

@@ -21,28 +21,6 @@ void CompareWithReference(const EvaluatedRun& run, const Truth& truth, Evaluatio
   evaluation->relative = EvaluateRelative(PairByTime(truth.reference, run.trajectory), truth.delta);
 }
 
-LoopEvaluation EvaluateLoops(const Recording& recording, const MapState& state,
-                             const Truth& truth) {
-  ReferencePoses reference;
-  if (!truth.reference.empty()) reference = ReferencePosesOfNodes(recording, truth.reference);
-  const std::vector<JudgedLoop> loops = JudgeLoops(recording, state, reference);
-  LoopEvaluation evaluation;
-  evaluation.counts = CountLoops(loops, truth.loop_tolerance);
-  std::vector<JudgedLoop> accepted, held;  // without those that are wrong
-  for (const JudgedLoop& loop : loops) {
-    const bool is_wrong = IsWrong(loop, truth.loop_tolerance);
-    if (is_wrong && loop.IsInForce()) evaluation.wrong.push_back(loop);
-    if (!is_wrong) accepted.push_back(loop);
-    if (!is_wrong && loop.IsInForce()) held.push_back(loop);
-  }
-  const std::vector<Revisit> revisits = RevisitsOf(recording, reference);
-  evaluation.num_revisits = static_cast<int>(revisits.size());
-  evaluation.num_never_accepted =
-      static_cast<int>(RevisitsWithout(recording, accepted, revisits).size());
-  evaluation.missed = RevisitsWithout(recording, held, revisits);
-  return evaluation;
-}
-
 }  // namespace
 
 EvaluatedRun LoadRun(const std::string& path) {
@@ -66,7 +44,11 @@ Evaluation Evaluate(const EvaluatedRun& run, const Truth& truth) {
   if (!truth.reference.empty()) CompareWithReference(run, truth, &evaluation);
   if (run.recording) {
     const MapState state = StateOf(*run.recording, std::nullopt);
-    evaluation.loops = EvaluateLoops(*run.recording, state, truth);
+    ReferencePoses reference;
+    if (!truth.reference.empty()) {
+      reference = ReferencePosesOfNodes(*run.recording, truth.reference);
+    }
+    evaluation.loops = EvaluateLoops(*run.recording, state, reference, truth.loop_tolerance);
     evaluation.map = EvaluateMap(*run.recording, state);
   }
   return evaluation;

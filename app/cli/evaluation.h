@@ -6,11 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "core/evaluation/loop_closures.h"
+#include "core/evaluation/loop_evaluation.h"
 #include "core/evaluation/map_quality.h"
 #include "core/evaluation/relations.h"
 #include "core/evaluation/relative_error.h"
-#include "core/evaluation/revisits.h"
 #include "core/evaluation/trajectory_error.h"
 #include "core/slam/recording.h"
 
@@ -35,14 +34,6 @@ struct EvaluatedRun {
 
 /// Throws FileError.
 EvaluatedRun LoadRun(const std::string& path);
-
-struct LoopEvaluation {
-  LoopCounts counts;
-  std::vector<JudgedLoop> wrong;  ///< in force, and out of tolerance
-  int num_revisits = 0;           ///< 0 without a reference, as the next two
-  int num_never_accepted = 0;     ///< revisits without any loop but wrong ones
-  std::vector<Revisit> missed;    ///< likewise, as far as they are in force
-};
 
 /// All that can be said of one run.
 struct Evaluation {

@@ -78,6 +78,12 @@ void AddShare(const std::string& name, double part, double whole, Figures* figur
   if (whole > 0.0) figures->push_back({name, part / whole});
 }
 
+int NumFalseByTheirScans(const LoopEvaluation& loops) {
+  return static_cast<int>(
+      std::count_if(loops.false_loops.begin(), loops.false_loops.end(),
+                    [](const FalseLoop& loop) { return loop.FitsBetterInReference(); }));
+}
+
 void AddFigures(const LoopEvaluation& loops, Figures* figures) {
   const LoopCounts& counts = loops.counts;
   const auto num_closed = loops.num_revisits - static_cast<double>(loops.missed.size());
@@ -85,6 +91,11 @@ void AddFigures(const LoopEvaluation& loops, Figures* figures) {
   figures->push_back({"loops_in_force", static_cast<double>(counts.in_force)});
   AddShare("loops_self_consistent", counts.self_consistent, counts.all, figures);
   AddShare("loop_precision", counts.correct, counts.judged, figures);
+  if (counts.judged > 0) {
+    figures->push_back({"loops_false", static_cast<double>(loops.false_loops.size())});
+    figures->push_back(
+        {"loops_false_by_their_scans", static_cast<double>(NumFalseByTheirScans(loops))});
+  }
   if (loops.num_revisits > 0) {
     figures->push_back({"revisits", static_cast<double>(loops.num_revisits)});
   }
@@ -196,12 +207,15 @@ std::string StatisticsTable(const Evaluation& evaluation) {
 double MetersOf(const JudgedLoop& loop) { return loop.error->translation.norm(); }
 double DegreesOf(const JudgedLoop& loop) { return kDegrees * std::abs(loop.error->rotation); }
 
-nlohmann::ordered_json ToJson(const JudgedLoop& loop) {
+nlohmann::ordered_json ToJson(const FalseLoop& false_loop) {
+  const JudgedLoop& loop = false_loop.loop;
   return {{"submap", loop.submap.index},
           {"node", loop.node.index},
           {"error_m", MetersOf(loop)},
           {"error_deg", DegreesOf(loop)},
-          {"weight", loop.weight}};
+          {"weight", loop.weight},
+          {"score", false_loop.score},
+          {"score_in_reference", false_loop.score_in_reference}};
 }
 
 nlohmann::ordered_json ToJson(const Revisit& revisit) {
@@ -232,13 +246,17 @@ std::string LoopLists(const std::vector<Evaluation>& evaluations) {
   for (const Evaluation& evaluation : evaluations) {
     if (!evaluation.loops) continue;
     const LoopEvaluation& loops = *evaluation.loops;
-    text += fmt::format("\n{}: {} of {} loops judged are false, {} of {} revisits are missed\n",
-                        evaluation.run, loops.wrong.size(), loops.counts.judged,
-                        loops.missed.size(), loops.num_revisits);
-    for (const JudgedLoop& loop : loops.wrong) {
+    text += fmt::format(
+        "\n{}: {} of {} loops judged are false ({} by their scans), {} of {} revisits are missed\n",
+        evaluation.run, loops.false_loops.size(), loops.counts.judged, NumFalseByTheirScans(loops),
+        loops.missed.size(), loops.num_revisits);
+    for (const FalseLoop& false_loop : loops.false_loops) {
+      const JudgedLoop& loop = false_loop.loop;
       text += fmt::format(
-          "false   submap {}, node {}: off by {:.3f} m, {:.2f} deg; weight {:.2f}\n",
-          ToString(loop.submap), ToString(loop.node), MetersOf(loop), DegreesOf(loop), loop.weight);
+          "false   submap {}, node {}: off by {:.3f} m, {:.2f} deg; weight {:.2f}; score {:.3f}, "
+          "where the reference has it {:.3f}\n",
+          ToString(loop.submap), ToString(loop.node), MetersOf(loop), DegreesOf(loop), loop.weight,
+          false_loop.score, false_loop.score_in_reference);
     }
     for (const Revisit& revisit : loops.missed) {
       text += fmt::format("missed  submaps {} and {}: nodes {} and {} are {:.2f} m apart\n",
@@ -281,7 +299,7 @@ std::string EvaluationJson(const std::vector<Evaluation>& evaluations, bool with
     nlohmann::ordered_json entry = {{"run", evaluation.run}};
     for (const Figure& figure : FiguresOf(evaluation)) entry[figure.name] = figure.value;
     if (with_loops && evaluation.loops) {
-      entry["false_loops"] = ToJson(evaluation.loops->wrong);
+      entry["false_loops"] = ToJson(evaluation.loops->false_loops);
       entry["missed_revisits"] = ToJson(evaluation.loops->missed);
     }
     list.push_back(std::move(entry));

@@ -14,8 +14,8 @@
 #include <fmt/format.h>
 
 #include "app/cli/commands.h"
+#include "core/evaluation/log_report.h"
 #include "core/io/carmen_log.h"
-#include "core/io/log_report.h"
 #include "core/io/recording_file.h"
 #include "core/io/recording_hash.h"
 #include "core/slam/loop_explanation.h"

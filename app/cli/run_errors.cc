@@ -13,14 +13,12 @@ void AddAbsoluteErrors(const EvaluatedRun& run, const Trajectory& reference, Run
   errors->measure = "absolute trajectory error";
   const std::vector<PosePair> pairs = PairByTime(reference, run.trajectory);
   if (pairs.empty()) return;
-  const Pose2 map_from_reference = AlignToReference(pairs).Inverse();
+  const Pose2 reference_from_map = AlignToReference(pairs);
+  const Pose2 map_from_reference = reference_from_map.Inverse();
   for (const PosePair& pair : pairs) {
-    const Pose2 expected = map_from_reference * pair.reference_from_base;
-    const double rotation = NormalizeAngle(expected.rotation - pair.map_from_base.rotation);
-    errors->reference.push_back(expected);
-    errors->samples.push_back({pair.map_from_base.translation,
-                               (expected.translation - pair.map_from_base.translation).norm(),
-                               std::abs(rotation)});
+    const PoseError error = ErrorOf(pair, reference_from_map);
+    errors->reference.push_back(map_from_reference * pair.reference_from_base);
+    errors->samples.push_back({pair.map_from_base.translation, error.translation, error.rotation});
   }
 }
 

@@ -90,7 +90,7 @@ Section ReportOnMatch(const Recording& recording, int step) {
   Section section{"Fit of the scan", {}};
   const auto replay = ReplayMatch(recording, step);
   if (!replay) {
-    section.rows.push_back(Row("matched against", "nothing: first scan, or no returns in range"));
+    section.rows.push_back(Row("matched against", "nothing: first scan, or too few returns"));
     return section;
   }
   const std::string walls = replay->wide_walls ? ", walls a cell wider" : "";

@@ -87,8 +87,8 @@ std::vector<JudgedLoop> JudgeLoops(const Recording& recording, const MapState& s
     const double weight = WeightOf(residual, recording.options().pose_graph);
     const bool is_outlier =
         outliers.max_distance > 0.0 ? IsOutlier(residual, outliers) : weight < 0.5;
-    loops.push_back({candidate.submap, candidate.node, residual, weight, is_outlier,
-                     ErrorOf(recording, candidate, reference)});
+    loops.push_back({candidate.submap, candidate.node, candidate.submap_from_node, residual, weight,
+                     is_outlier, ErrorOf(recording, candidate, reference)});
   }
   return loops;
 }

@@ -35,6 +35,7 @@ constexpr LoopTolerance kReferenceTolerance{0.5, DegreesToRadians(5.0)};
 struct JudgedLoop {
   SubmapId submap;
   NodeId node;
+  Pose2 submap_from_node;    ///< as measured
   Eigen::Vector3d residual;  ///< of eq. 5, in the poses of the state [m, m, rad]
   /// rho'(|r|^2) of Huber's loss at the weighted residual r, in (0, 1]: how hard the loop still
   /// pulls compared with what it would without the loss; 0 if it is an outlier.

@@ -38,6 +38,12 @@ Pose2 AlignToReference(const std::vector<PosePair>& pairs) {
   return Pose2(reference_mean - rotation * estimate_mean, rotation.rotation);
 }
 
+PoseError ErrorOf(const PosePair& pair, const Pose2& reference_from_map) {
+  const Pose2 aligned = reference_from_map * pair.map_from_base;
+  return {(aligned.translation - pair.reference_from_base.translation).norm(),
+          std::abs(NormalizeAngle(aligned.rotation - pair.reference_from_base.rotation))};
+}
+
 std::optional<TrajectoryError> EvaluateTrajectory(const Trajectory& reference,
                                                   const Trajectory& estimate) {
   const std::vector<PosePair> pairs = PairByTime(reference, estimate);
@@ -46,10 +52,9 @@ std::optional<TrajectoryError> EvaluateTrajectory(const Trajectory& reference,
   error.reference_from_map = AlignToReference(pairs);
   std::vector<double> translations, rotations;
   for (const PosePair& pair : pairs) {
-    const Pose2 aligned = error.reference_from_map * pair.map_from_base;
-    translations.push_back((aligned.translation - pair.reference_from_base.translation).norm());
-    rotations.push_back(
-        std::abs(NormalizeAngle(aligned.rotation - pair.reference_from_base.rotation)));
+    const PoseError of_pose = ErrorOf(pair, error.reference_from_map);
+    translations.push_back(of_pose.translation);
+    rotations.push_back(of_pose.rotation);
   }
   error.translation = StatisticsOf(translations);
   error.rotation = StatisticsOf(rotations);

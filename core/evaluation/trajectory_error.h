@@ -26,6 +26,15 @@ std::vector<PosePair> PairByTime(const Trajectory& reference, const Trajectory& 
 /// 1987. `pairs` must not be empty. The rotation is 0 if all positions are the same.
 Pose2 AlignToReference(const std::vector<PosePair>& pairs);
 
+/// How far an estimate is from its reference.
+struct PoseError {
+  double translation = 0.0;  ///< [m]
+  double rotation = 0.0;     ///< [rad], 0 or more
+};
+
+/// Of the estimate once it is aligned.
+PoseError ErrorOf(const PosePair& pair, const Pose2& reference_from_map);
+
 /// Absolute trajectory error after alignment.
 struct TrajectoryError {
   Pose2 reference_from_map;  ///< the alignment

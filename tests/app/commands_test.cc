@@ -234,8 +234,13 @@ TEST_F(CommandTest, EvaluateListsFalseAndMissedLoops) {
   const auto json = nlohmann::json::parse(Run(arguments + " --json --loop-tolerance 0 0").out);
   EXPECT_EQ(json[0].at("loop_precision"), 0.0);
   EXPECT_EQ(json[0].at("false_loops").size(), json[0].at("loops_in_force"));
+  EXPECT_EQ(json[0].at("loops_false"), json[0].at("loops_in_force"));
+  EXPECT_LE(json[0].at("loops_false_by_their_scans"), json[0].at("loops_false"));
+  EXPECT_GT(json[0].at("false_loops")[0].at("score"), 0.3);
+  EXPECT_GT(json[0].at("false_loops")[0].at("score_in_reference"), 0.3);
   EXPECT_THAT(Run(arguments + " --loop-tolerance 0 0").out, HasSubstr("false   submap (0, "));
   EXPECT_THAT(Run(arguments).out, HasSubstr(": 0 of "));
+  ExpectRefused(arguments + " --loop-tolerance -1 5", "--loop-tolerance -1 5: expected");
 }
 
 TEST_F(CommandTest, EvaluateRefusesWhatItCannotCompare) {

@@ -1,24 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/io/log_report.h"
+#include "core/evaluation/log_report.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "core/evaluation/statistics.h"
 #include "core/local/hanging_odometry.h"
 #include "core/slam/options.h"
 
 namespace loopscope {
 namespace {
-
-double MedianOf(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 void ReportTimes(const ScanLog& log, LogReport* report) {
   std::vector<double> periods;
@@ -36,7 +30,7 @@ void ReportTimes(const ScanLog& log, LogReport* report) {
     }
   }
   report->duration = last - first;
-  report->scan_period = MedianOf(periods);
+  report->scan_period = StatisticsOf(std::move(periods)).median;
 }
 
 void ReportWay(const ScanLog& log, LogReport* report) {
@@ -53,7 +47,7 @@ void ReportWay(const ScanLog& log, LogReport* report) {
     distances.push_back(
         (here->odom_from_base.translation - before->odom_from_base.translation).norm());
   }
-  report->scan_distance = MedianOf(distances);
+  report->scan_distance = StatisticsOf(std::move(distances)).median;
 }
 
 void ReportRanges(const ScanLog& log, LogReport* report) {
@@ -77,7 +71,7 @@ void ReportRanges(const ScanLog& log, LogReport* report) {
   report->share_of_returns = static_cast<double>(returns.size()) / num_readings;
   report->share_of_nothing = num_nothing / num_readings;
   report->share_of_invalid = num_invalid / num_readings;
-  report->median_range = MedianOf(std::move(returns));
+  report->median_range = StatisticsOf(std::move(returns)).median;
 }
 
 /// Stamps that run backwards: how often, and by how much at most [s].

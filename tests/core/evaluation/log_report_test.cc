@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/io/log_report.h"
+#include "core/evaluation/log_report.h"
 
 #include <cmath>
 
