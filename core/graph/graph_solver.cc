@@ -88,9 +88,8 @@ class LeastSquares {
     terms.reserve(graph.constraints.size() + graph.consecutive_nodes.size());
     const auto add = [&](auto i, NodeId j, const Pose2& i_from_j, double translation_weight,
                          double rotation_weight, bool robust) {
-      const SpaInformation information{translation_weight * translation_weight,
-                                       rotation_weight * rotation_weight};
-      terms.push_back({unknowns_.pose(i), unknowns_.pose(j), i_from_j, information, robust,
+      terms.push_back({unknowns_.pose(i), unknowns_.pose(j), i_from_j,
+                       SpaInformation::OfWeights(translation_weight, rotation_weight), robust,
                        unknowns_.of(i), unknowns_.of(j), -1});
     };
     for (const Constraint& c : graph.constraints) {
@@ -117,8 +116,7 @@ class LeastSquares {
     double cost = 0.0;
     for (const Term& term : terms) {
       const double square = term.information.SquareOf(ErrorOf(term, poses));
-      const bool is_linear = term.robust && square > huber_scale_ * huber_scale_;
-      cost += 0.5 * (is_linear ? huber_scale_ * (2.0 * std::sqrt(square) - huber_scale_) : square);
+      cost += term.robust ? HuberCost(square, huber_scale_) : 0.5 * square;
     }
     return cost;
   }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/graph/loop_gate.h"
+#include "core/graph/moving_part.h"
 #include "core/graph/outliers.h"
 #include "core/graph/spa_cost.h"
 
@@ -275,11 +276,12 @@ void PoseGraph::SearchWhereLoopHasIt(const LoopCandidate& loop, LoopCandidate* p
 GraphSolution PoseGraph::Optimize() {
   const OptimizationProblemOptions& options = options_.optimization_problem;
   const std::size_t num_judged = BeginJudging();
-  GraphProblem problem = Problem();
-  if (num_judged > 0) HoldWhatIsOld(&problem);
-  return Adopt(SolveGraphWithoutOutliers(problem, num_judged, options,
-                                         {options.max_num_iterations, options.function_tolerance},
-                                         options.outliers.max_num_rounds));
+  const MovingPart part(graph_, constraints_, consecutive_nodes_,
+                        num_judged > 0 ? FirstToMove() : SubmapId{0}, options);
+  const GraphSolution solution = SolveGraphWithoutOutliers(
+      part.problem(), part.NumAmongFirst(num_judged), options,
+      {options.max_num_iterations, options.function_tolerance}, options.outliers.max_num_rounds);
+  return Adopt(part.Completed(solution, graph_));
 }
 
 GraphSolution PoseGraph::OptimizeFully() { return SolveFully(BeginJudging()); }
@@ -297,8 +299,7 @@ std::size_t PoseGraph::BeginJudging() {
   return 0;
 }
 
-void PoseGraph::HoldWhatIsOld(GraphProblem* problem) const {
-  if (options_.min_num_held_nodes == 0) return;
+SubmapId PoseGraph::FirstToMove() const {
   int first_moving = static_cast<int>(graph_.submaps.size()) - 1;
   for (std::size_t i = num_judged_; i < constraints_.size(); ++i) {
     const Constraint& c = constraints_[i];
@@ -307,9 +308,9 @@ void PoseGraph::HoldWhatIsOld(GraphProblem* problem) const {
   }
   first_moving = std::max(first_moving - kNumSubmapsThatYield, 0);
   const int num_held_nodes = graph_.submaps[first_moving].first_node.index;
-  if (num_held_nodes < options_.min_num_held_nodes) return;
-  problem->num_held_submaps = first_moving;
-  problem->num_held_nodes = num_held_nodes;
+  const bool holds =
+      options_.min_num_held_nodes > 0 && num_held_nodes >= options_.min_num_held_nodes;
+  return SubmapId{holds ? first_moving : 0};
 }
 
 GraphProblem PoseGraph::Problem() const {

@@ -73,9 +73,9 @@ class PoseGraph {
   /// judged, which is taken as done: often enough to correct a wrong choice, so seldom that the
   /// cost of a loop stays bounded.
   std::size_t BeginJudging();
-  /// All of the graph before what came since the last optimization, and before what its loops tie
-  /// it to, if that is much.
-  void HoldWhatIsOld(GraphProblem* problem) const;
+  /// The first submap to move if what is old is held: before what came since the last optimization,
+  /// and before what its loops tie it to, if that is much. Else submap 0.
+  SubmapId FirstToMove() const;
   /// Of the first `num_judged` of constraints_ only those that were left out may be left out again.
   GraphSolution SolveFully(std::size_t num_judged);
   /// Makes the solution, rounded as it is recorded, the state.

@@ -57,4 +57,8 @@ double HuberWeight(double square, double scale) {
   return square > scale * scale ? scale / std::sqrt(square) : 1.0;
 }
 
+double HuberCost(double square, double scale) {
+  return 0.5 * (square > scale * scale ? scale * (2.0 * std::sqrt(square) - scale) : square);
+}
+
 }  // namespace loopscope

@@ -23,6 +23,10 @@ struct SpaInformation {
   double translation = 0.0;  ///< [1/m^2]
   double rotation = 0.0;     ///< [1/rad^2]
 
+  static SpaInformation OfWeights(double translation_weight, double rotation_weight) {
+    return {translation_weight * translation_weight, rotation_weight * rotation_weight};
+  }
+
   /// The weighted square of an error in either frame.
   double SquareOf(const Eigen::Vector3d& error) const {
     return translation * error.head<2>().squaredNorm() + rotation * error.z() * error.z();
@@ -45,5 +49,8 @@ struct SpaQuadratic {
 /// The weight by which Huber's loss of `scale` stands for a square at an error whose square is
 /// `square`; both weighted, without unit.
 double HuberWeight(double square, double scale);
+
+/// Half of Huber's loss there: what such a term adds to the cost.
+double HuberCost(double square, double scale);
 
 }  // namespace loopscope

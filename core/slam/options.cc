@@ -39,7 +39,7 @@ Options LoopscopePreset() {
   PoseGraphOptions& graph = options.pose_graph;
   graph.optimize_every_n_nodes = 40;
   graph.optimize_every_share = 0.02;
-  graph.optimize_at_latest_after_n_nodes = 1000;
+  graph.optimize_at_latest_after_n_nodes = 300;
   graph.min_num_held_nodes = 5000;
   ConstraintBuilderOptions& loops = graph.constraint_builder;
   loops.max_constraint_distance = 5.0;

@@ -98,6 +98,7 @@ struct Sample {
   double milliseconds = 0.0;  ///< of processor time for a node
   double optimization = 0.0;  ///< the part of it that went into scans with an optimization
   double searches = 0.0;      ///< for a node
+  double window = 0.0;        ///< [m] half the width of a search, each way
   double iterations = 0.0;    ///< of an optimization
   double error = 0.0;         ///< [m] of the last node, seen from the first
   double megabytes = 0.0;     ///< above those before the first scan, for a submap
@@ -118,9 +119,10 @@ double ErrorOf(const Optimization& optimization, const Trajectory& truth, double
 }
 
 void PrintRow(const Sample& s) {
-  std::cout << fmt::format("{:5}  {:7.2f}  {:19.2f}  {:13.1f}  {:10.1f}  {:7.2f}  {:9.2f}",
-                           s.num_nodes, s.milliseconds, s.optimization, s.searches, s.iterations,
-                           s.error, s.megabytes)
+  std::cout << fmt::format(
+                   "{:5}  {:7.2f}  {:19.2f}  {:13.1f}  {:10.2f}  {:10.1f}  {:7.2f}  {:9.2f}",
+                   s.num_nodes, s.milliseconds, s.optimization, s.searches, s.window, s.iterations,
+                   s.error, s.megabytes)
             << std::endl;
 }
 
@@ -128,8 +130,8 @@ void PrintRow(const Sample& s) {
 Growth MapAndMeasure(const Simulation& simulation) {
   const ScanLog& log = simulation.log;
   constexpr int kNodesOfSample = 250;
-  std::cout
-      << "nodes  ms/node  in optimizing scans  searches/node  iterations  off [m]  MB/submap\n";
+  std::cout << "nodes  ms/node  in optimizing scans  searches/node  window [m]  iterations  off "
+               "[m]  MB/submap\n";
   Growth growth;
   const double megabytes_before = ResidentMegabytes();
   Slam slam(log, LoopscopePreset(), 1);
@@ -139,6 +141,7 @@ Growth MapAndMeasure(const Simulation& simulation) {
   double seconds = 0.0;
   double optimization_seconds = 0.0;
   int num_searches = 0;
+  double windows = 0.0;  // [m]
   int num_optimizations = 0;
   int num_iterations = 0;
   for (int scan = 0; scan < static_cast<int>(log.scans.size()); ++scan) {
@@ -153,7 +156,9 @@ Growth MapAndMeasure(const Simulation& simulation) {
     }
     seconds += took;
     for (const LoopCandidate& candidate : update.candidates) {
-      num_searches += candidate.verdict == Verdict::kNotSampled ? 0 : 1;
+      if (candidate.verdict == Verdict::kNotSampled) continue;
+      ++num_searches;
+      windows += candidate.linear_search_window;
     }
     if (update.optimization) {
       optimization_seconds += took;
@@ -166,13 +171,13 @@ Growth MapAndMeasure(const Simulation& simulation) {
     if (count < kNodesOfSample || !update.optimization) continue;
     growth.samples.push_back(
         {num_nodes, 1e3 * seconds / count, 1e3 * optimization_seconds / count,
-         static_cast<double>(num_searches) / count,
+         static_cast<double>(num_searches) / count, windows / num_searches,
          static_cast<double>(num_iterations) / num_optimizations,
          ErrorOf(*update.optimization, simulation.ground_truth, log.scans[scan].time),
          (ResidentMegabytes() - megabytes_before) / num_submaps});
     PrintRow(growth.samples.back());
     num_nodes_before = num_nodes;
-    seconds = optimization_seconds = 0.0;
+    seconds = optimization_seconds = windows = 0.0;
     num_searches = num_optimizations = num_iterations = 0;
   }
   return growth;
