@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "core/graph/near_boxes.h"
+
 namespace loopscope {
 namespace {
 
@@ -41,10 +43,8 @@ void ForEachTwoNear(const std::vector<SubmapPlace>& submaps,
                     const Visitor& visit) {
   std::vector<Eigen::AlignedBox2d> extents;
   for (const SubmapPlace& submap : submaps) extents.push_back(ExtentOf(submap, global_from_node));
-  for (std::size_t b = 0; b < submaps.size(); ++b) {
-    for (std::size_t a = 0; a < b; ++a) {
-      if (extents[a].exteriorDistance(extents[b]) <= max_distance) visit(submaps[a], submaps[b]);
-    }
+  for (const auto& [second, first] : NearBoxes(extents, max_distance)) {
+    visit(submaps[first], submaps[second]);
   }
 }
 
