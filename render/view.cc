@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/view.h"
 
+#include <cmath>
 #include <stdexcept>
 #include <tuple>
 
@@ -54,9 +55,12 @@ void RequireCamera(const ViewRequest& request) {
     throw std::invalid_argument("view chart has no map: expected no center and no size of it");
   }
   for (const auto& [name, size] : {std::pair("width", width), std::pair("height", height)}) {
-    if (!size || *size > 0.0) continue;
+    if (!size || (*size > 0.0 && std::isfinite(*size))) continue;
     throw std::invalid_argument(
         fmt::format("{} of the map is {:f} m: expected more than 0", name, *size));
+  }
+  if (request.center && !request.center->allFinite()) {
+    throw std::invalid_argument("center of the map: expected two finite numbers");
   }
 }
 
@@ -65,6 +69,9 @@ void RequireSide(const ViewRequest& request) {
   if (request.view != ViewKind::kTime) {
     throw std::invalid_argument("view " + ToString(request.view) +
                                 " is seen from above: expected azimuth and elevation for time");
+  }
+  if (!std::isfinite(request.azimuth.value_or(0.0))) {
+    throw std::invalid_argument("azimuth: expected a finite number of degrees");
   }
   const double elevation = request.elevation.value_or(0.0);
   if (!(0.0 <= elevation && elevation <= 90.0)) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/evaluation.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "app/cli/run_arguments.h"
@@ -11,6 +12,19 @@
 
 namespace loopscope {
 namespace {
+
+/// A relation whose times are outside of the run's is judged at its ends. One at least must not be.
+void RequireRelationsDuring(const EvaluatedRun& run, const std::vector<Relation>& relations) {
+  const auto is_during_run = [&](const Relation& relation) {
+    return relation.second_time >= run.trajectory.front().time &&
+           relation.first_time <= run.trajectory.back().time;
+  };
+  if (!run.trajectory.empty() && std::any_of(relations.begin(), relations.end(), is_during_run)) {
+    return;
+  }
+  throw std::invalid_argument(run.path +
+                              ": its times have nothing in common with those of the relations");
+}
 
 void CompareWithReference(const EvaluatedRun& run, const Truth& truth, Evaluation* evaluation) {
   evaluation->trajectory = EvaluateTrajectory(truth.reference, run.trajectory);
@@ -39,6 +53,7 @@ Evaluation Evaluate(const EvaluatedRun& run, const Truth& truth) {
   Evaluation evaluation;
   evaluation.run = run.path;
   if (!truth.relations.empty()) {
+    RequireRelationsDuring(run, truth.relations);
     evaluation.relations = EvaluateRelations(truth.relations, run.trajectory);
   }
   if (!truth.reference.empty()) CompareWithReference(run, truth, &evaluation);

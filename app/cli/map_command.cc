@@ -11,6 +11,7 @@
 #include "app/cli/map_to_file.h"
 #include "app/cli/options_arguments.h"
 #include "core/io/carmen_log.h"
+#include "core/io/log_stem.h"
 #include "core/slam/loop_explanation.h"
 
 namespace loopscope {
@@ -25,8 +26,7 @@ struct MapArguments {
 
 /// RUN.loopscope in the current folder for a/b/RUN.log.gz.
 std::string DefaultOutput(const std::string& log_path) {
-  const std::string name = std::filesystem::path(log_path).filename().string();
-  return name.substr(0, name.find('.')) + ".loopscope";
+  return LogStem(std::filesystem::path(log_path).filename().string()) + ".loopscope";
 }
 
 void PrintNotes(const ScanLog& log) {

@@ -81,18 +81,21 @@ void AddViewArguments(CLI::App* command, ViewArguments* arguments) {
       ->add_option("--mark", arguments->marked,
                    "Loops to mark beside it, each a node and a submap (map, graph, time, chart)")
       ->type_name("N:M,...")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   AddSearchFilter(command, &arguments->search);
   command
       ->add_option("--layers", arguments->layers,
                    "Draw only these layers of the view, each with an opacity behind a colon if it "
                    "is to be clearer, e.g. grid:0.4,nodes,inter")
       ->type_name("A,B,...")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command->add_option("--center", arguments->center, "Point in the middle [m], in the view's frame")
       ->type_name("X,Y")
       ->delimiter(',')
-      ->expected(2);
+      ->expected(2)
+      ->allow_extra_args(false);
   command->add_option("--width", arguments->width_in_meters, "Width of what is shown [m]")
       ->type_name("METERS");
   command

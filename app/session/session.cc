@@ -38,6 +38,7 @@ void Session::Load(std::string path, Recording recording) {
   state_.node.reset();
   state_.submap.reset();
   state_.loops.clear();
+  state_.search = SearchFilter();
   for (auto& [kind, settings] : state_.views) settings.camera.reset();
 }
 

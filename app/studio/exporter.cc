@@ -19,6 +19,13 @@ Exporter::Exporter() {
   });
 }
 
+Exporter::~Exporter() {
+  constexpr int kMaxMilliseconds = 30'000;
+  program_.disconnect(this);
+  Stop();
+  if (IsRunning()) program_.waitForFinished(kMaxMilliseconds);
+}
+
 void Exporter::Start(const std::vector<std::string>& arguments) {
   if (IsRunning()) {
     emit Failed("The picture or film before is still being drawn.");

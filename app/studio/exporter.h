@@ -15,6 +15,8 @@ class Exporter : public QObject {
 
  public:
   Exporter();
+  /// As Stop, and waits until the film is there.
+  ~Exporter() override;
 
   /// Runs `loopscope` with `arguments`, unless it runs already.
   void Start(const std::vector<std::string>& arguments);
@@ -25,7 +27,7 @@ class Exporter : public QObject {
  signals:
   /// How much of a film is there [%].
   void Progressed(int percent);
-  /// `summary` is empty if it was stopped or failed.
+  /// `summary` is what it printed; empty if it failed.
   void Ended(const QString& summary);
   void Failed(const QString& message);
 
@@ -33,9 +35,9 @@ class Exporter : public QObject {
   void ReadProgress();
   void End(int exit_code, QProcess::ExitStatus status);
 
-  QProcess program_;
   QString last_line_;  // on stderr
   bool is_stopped_ = false;
+  QProcess program_;
 };
 
 }  // namespace loopscope

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "core/io/carmen_log.h"
+#include "core/io/log_stem.h"
 #include "core/io/recording_file.h"
 
 namespace loopscope {
@@ -42,7 +43,7 @@ std::string NewRecordingPath(const std::string& log_path) {
     folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
     QDir().mkpath(folder);
   }
-  const QString name = log.fileName().section('.', 0, 0);
+  const QString name = QString::fromStdString(LogStem(log.fileName().toStdString()));
   QString path = folder + "/" + name + ".loopscope";
   for (int i = 2; QFileInfo::exists(path); ++i) {
     path = QString("%1/%2-%3.loopscope").arg(folder, name).arg(i);
@@ -79,11 +80,11 @@ void RunOpener::TakeFile() {
   }
 }
 
-void RunOpener::Map(const ScanLog& log, const Options& options, const std::string& log_path) {
+void RunOpener::Map(ScanLog log, const Options& options, const std::string& log_path) {
   mapping_.reset();
   const std::string path = NewRecordingPath(log_path);
   emit Opened(path, std::make_shared<Recording>(log, options));
-  mapping_ = std::make_unique<MappingWorker>(log, options, path);
+  mapping_ = std::make_unique<MappingWorker>(std::move(log), options, path);
   connect(mapping_.get(), &MappingWorker::Grown, this, &RunOpener::TakeUpdates);
   connect(mapping_.get(), &MappingWorker::Finished, this, &RunOpener::EndMapping);
   mapping_->Start();

@@ -33,7 +33,7 @@ class RunOpener : public QObject {
   /// Reads a recording or a log. A log is then mapped with `options`.
   void Open(const std::string& path, const Options& options);
   /// Maps a log that is known already.
-  void Map(const ScanLog& log, const Options& options, const std::string& log_path);
+  void Map(ScanLog log, const Options& options, const std::string& log_path);
   /// Forgets a file that is being read, and stops mapping; what was mapped until now stays.
   void Stop();
 

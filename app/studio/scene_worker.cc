@@ -137,9 +137,18 @@ bool SceneWorker::WorkOnce(Workplace* place) {
   } else if (report) {
     Report(*report, run, *place->recording);
   } else if (place->cache) {
-    place->has_prefetched = !place->cache->Prefetch();
+    Prefetch(place);
   }
   return true;
+}
+
+/// A grid that cannot be made is told of when a picture asks for it.
+void SceneWorker::Prefetch(Workplace* place) {
+  try {
+    place->has_prefetched = !place->cache->Prefetch();
+  } catch (const std::exception&) {
+    place->has_prefetched = true;
+  }
 }
 
 void SceneWorker::Draw(int tile, const Job& job, int run, Workplace* place) {
@@ -164,6 +173,16 @@ void SceneWorker::Draw(int tile, const Job& job, int run, Workplace* place) {
 }
 
 void SceneWorker::Report(const ReportSubject& subject, int run, const Recording& recording) {
+  try {
+    MakeReport(subject, run, recording);
+  } catch (const std::exception& error) {
+    Publish(run, {{"Error", {{"what", error.what(), {}}}}});
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  is_drawing_ = false;
+}
+
+void SceneWorker::MakeReport(const ReportSubject& subject, int run, const Recording& recording) {
   const MapState state = StateAfterStep(recording, subject.step);
   InspectionReport report;
   const bool has_node = subject.node && subject.node->index < state.num_nodes;
@@ -184,8 +203,6 @@ void SceneWorker::Report(const ReportSubject& subject, int run, const Recording&
     }
     Publish(run, report);
   }
-  const std::lock_guard<std::mutex> lock(mutex_);
-  is_drawing_ = false;
 }
 
 /// False if something else is more urgent now.

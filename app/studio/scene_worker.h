@@ -87,7 +87,9 @@ class SceneWorker : public QObject {
   void Run();
   bool WorkOnce(Workplace* place);
   void Draw(int tile, const Job& job, int run, Workplace* place);
+  void Prefetch(Workplace* place);
   void Report(const ReportSubject& subject, int run, const Recording& recording);
+  void MakeReport(const ReportSubject& subject, int run, const Recording& recording);
   bool Publish(int run, const InspectionReport& report);
 
   mutable std::mutex mutex_;

@@ -75,6 +75,10 @@ void ViewWidget::Clear() {
   edge_.clear();
   for (vtkRenderer* const panel : panels_) renderWindow()->RemoveRenderer(panel);
   panels_.clear();
+  pressed_at_.reset();
+  is_dragging_ = false;
+  is_moved_ = false;
+  rest_.stop();
   paper_->RemoveAllViewProps();
   Draw();
 }

@@ -18,10 +18,9 @@ std::vector<std::pair<int, int>> NearBoxes(const std::vector<Eigen::AlignedBox2d
   std::vector<int> open;  // those that reach to the left side of the next one, or nearly
   for (const int next : by_left_side) {
     const double least_right_side = boxes[next].min().x() - distance;
-    open.erase(
-        std::remove_if(open.begin(), open.end(),
-                       [&](int box) { return boxes[box].max().x() < least_right_side; }),
-        open.end());
+    open.erase(std::remove_if(open.begin(), open.end(),
+                              [&](int box) { return boxes[box].max().x() < least_right_side; }),
+               open.end());
     for (const int box : open) {
       if (boxes[box].exteriorDistance(boxes[next]) <= distance) {
         pairs.emplace_back(std::max(box, next), std::min(box, next));

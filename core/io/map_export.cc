@@ -42,14 +42,13 @@ std::string ToPgm(const OccupancyMap& map, MapPixels pixels) {
   return pgm;
 }
 
-std::string ToYaml(const OccupancyMap& map, MapPixels pixels, const std::string& image) {
+std::string ToYaml(const OccupancyMap& map, const std::string& image) {
   const Eigen::Vector2d lower_left =
       CenterOf(map.box.min, map.resolution) - Eigen::Vector2d::Constant(0.5 * map.resolution);
   return fmt::format(
-      "image: {}\nmode: {}\nresolution: {}\norigin: [{:.6f}, {:.6f}, 0]\nnegate: 0\n"
+      "image: {}\nmode: trinary\nresolution: {}\norigin: [{:.6f}, {:.6f}, 0]\nnegate: 0\n"
       "occupied_thresh: {}\nfree_thresh: {}\n",
-      image, pixels == MapPixels::kTrinary ? "trinary" : "scale", map.resolution, lower_left.x(),
-      lower_left.y(), kOccupiedThreshold, kFreeThreshold);
+      image, map.resolution, lower_left.x(), lower_left.y(), kOccupiedThreshold, kFreeThreshold);
 }
 
 }  // namespace
@@ -59,7 +58,7 @@ MapFiles ExportMap(const OccupancyMap& map, MapPixels pixels, const std::string&
   if (stem.extension() == ".pgm" || stem.extension() == ".yaml") stem.replace_extension();
   const MapFiles files{stem.string() + ".pgm", stem.string() + ".yaml"};
   ReplaceFile(files.image, ToPgm(map, pixels));
-  ReplaceFile(files.yaml, ToYaml(map, pixels, stem.filename().string() + ".pgm"));
+  ReplaceFile(files.yaml, ToYaml(map, stem.filename().string() + ".pgm"));
   return files;
 }
 

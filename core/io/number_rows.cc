@@ -16,13 +16,14 @@ namespace loopscope {
 namespace {
 
 constexpr std::size_t kMaxRows = 10'000'000;
+constexpr double kMaxNumber = 1e100;  // its square is a number, too
 
 std::optional<NumberRow> ParseRow(const std::vector<std::string_view>& words) {
   NumberRow row;
   if (words.size() != row.size()) return std::nullopt;
   for (std::size_t i = 0; i < row.size(); ++i) {
     const std::optional<double> number = ParseDouble(words[i]);
-    if (!number || !std::isfinite(*number)) return std::nullopt;
+    if (!number || !(std::abs(*number) <= kMaxNumber)) return std::nullopt;
     row[i] = *number;
   }
   return row;

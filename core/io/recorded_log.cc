@@ -26,7 +26,7 @@ namespace {
 
 /// Calls insert(first, packed) for every `per_chunk` of `items`.
 template <typename Item, typename Put, typename Insert>
-void ForEachChunk(const std::vector<Item>& items, int per_chunk, const Put& put,
+void ForEachChunk(const std::vector<Item>& items, std::size_t per_chunk, const Put& put,
                   const Insert& insert) {
   for (std::size_t first = 0; first < items.size(); first += per_chunk) {
     const std::size_t end = std::min(items.size(), first + per_chunk);

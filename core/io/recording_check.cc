@@ -19,10 +19,16 @@ bool IsFinite(const Pose2& pose) {
   return pose.translation.allFinite() && std::isfinite(pose.rotation);
 }
 
+/// Whether a map could hold it.
+bool IsInMap(const Pose2& pose) {
+  constexpr double kFarthest = 1e9;  // [m] A grid of the smallest cells does not reach so far
+  return IsFinite(pose) && pose.translation.cwiseAbs().maxCoeff() <= kFarthest;
+}
+
 bool IsWithin(double value, double low, double high) { return low <= value && value <= high; }
 
-bool AllFinite(const std::vector<Pose2>& poses) {
-  return std::all_of(poses.begin(), poses.end(), IsFinite);
+bool AllInMap(const std::vector<Pose2>& poses) {
+  return std::all_of(poses.begin(), poses.end(), IsInMap);
 }
 
 /// The submaps of a node are the last ones, which have held all nodes since their first.
@@ -31,7 +37,7 @@ Fault FaultOf(const Node& node, const std::optional<Submap>& started, const Reco
   const int num_nodes = static_cast<int>(recording.nodes().size());
   const std::size_t num_submaps = submaps.size() + (started ? 1 : 0);
   if (node.step != recording.num_steps()) return "a node of another step";
-  if (!IsFinite(node.local_from_base)) return "a node whose pose is not finite";
+  if (!IsInMap(node.local_from_base)) return "a node whose pose is nowhere";
   if (node.num_submaps < 1 || node.num_submaps > 2 ||
       !Within(node.first_submap.index, num_submaps)) {
     return "a node in submaps that are not there";
@@ -51,8 +57,7 @@ Fault FaultOf(const Node& node, const std::optional<Submap>& started, const Reco
 }
 
 Fault FaultOf(const Submap& submap) {
-  return IsFinite(submap.local_from_submap) ? std::nullopt
-                                            : Fault("a submap whose pose is not finite");
+  return IsInMap(submap.local_from_submap) ? std::nullopt : Fault("a submap whose pose is nowhere");
 }
 
 /// Of the pair, which must have been there when it came up.
@@ -90,9 +95,9 @@ Fault FaultOfSearch(const LoopCandidate& candidate) {
        {candidate.score, candidate.score_bound, candidate.min_score, candidate.rival_score}) {
     if (!std::isfinite(score)) return "a loop whose score is not finite";
   }
-  if (!IsFinite(candidate.submap_from_node_guess) ||
-      !IsFinite(candidate.submap_from_node_searched) || !IsFinite(candidate.submap_from_node)) {
-    return "a loop whose pose is not finite";
+  if (!IsInMap(candidate.submap_from_node_guess) || !IsInMap(candidate.submap_from_node_searched) ||
+      !IsInMap(candidate.submap_from_node)) {
+    return "a loop whose pose is nowhere";
   }
   return std::nullopt;
 }
@@ -103,12 +108,17 @@ Fault FaultOf(const Optimization& optimization, std::size_t num_submaps, std::si
       optimization.global_from_node.size() != num_nodes) {
     return "an optimization with a wrong number of poses";
   }
-  if (!AllFinite(optimization.global_from_submap) || !AllFinite(optimization.global_from_node)) {
-    return "an optimization with poses that are not finite";
+  if (!AllInMap(optimization.global_from_submap) || !AllInMap(optimization.global_from_node)) {
+    return "an optimization with poses that are nowhere";
   }
   if (!std::isfinite(optimization.drift_share.linear) ||
       !std::isfinite(optimization.drift_share.angular)) {
     return "an optimization with drift that is not finite";
+  }
+  constexpr double kMaxCost = 1e100;
+  if (!IsWithin(optimization.initial_cost, -kMaxCost, kMaxCost) ||
+      !IsWithin(optimization.final_cost, -kMaxCost, kMaxCost)) {
+    return "an optimization whose cost makes no sense";
   }
   return std::nullopt;
 }

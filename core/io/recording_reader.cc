@@ -46,6 +46,7 @@ class Reader {
   Recording ReadAll() {
     // One transaction, so that a run that goes on beside us does not show in parts.
     const SQLite::Transaction transaction(database_);
+    RequireTablesOnly();
     Recording recording(ReadRecordedLog(path_, database_), ReadRecordedOptions(path_, database_));
     if (Version() < 3) {
       ReadUnpackedSteps();
@@ -70,6 +71,13 @@ class Reader {
   }
 
  private:
+  /// A view could be without an end.
+  void RequireTablesOnly() {
+    constexpr char kCountOthers[] =
+        "SELECT count(*) FROM sqlite_master WHERE type NOT IN ('table', 'index')";
+    if (database_.execAndGet(kCountOthers).getInt() > 0) Fail("it holds more than tables");
+  }
+
   [[noreturn]] void Fail(const std::string& what) const {
     throw FileError(path_, "damaged data: " + what);
   }

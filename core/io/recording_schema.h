@@ -19,10 +19,10 @@ constexpr int kRecordingSchemaVersion = 6;
 /// SQLite keeps: `sqlite3 run.loopscope .schema` shows it.
 extern const char kRecordingSchema[];
 
-constexpr int kScansPerChunk = 100;
-constexpr int kOdometryPerChunk = 1000;
+constexpr std::size_t kScansPerChunk = 100;
+constexpr std::size_t kOdometryPerChunk = 1000;
 
-/// Largest chunk of scans or odometry, unpacked [bytes].
+/// Largest chunk of a table, unpacked [bytes].
 constexpr std::size_t kMaxChunkSize = std::size_t{1} << 28;
 
 }  // namespace loopscope

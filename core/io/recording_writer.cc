@@ -18,6 +18,9 @@
 namespace loopscope {
 namespace {
 
+/// [ms] Somebody may read the file while it grows: longer than any reader takes.
+constexpr int kBusyTimeout = 60'000;
+
 bool SameBits(const Pose2& a, const Pose2& b) {
   return std::memcmp(&a.translation, &b.translation, sizeof(a.translation)) == 0 &&
          std::memcmp(&a.rotation, &b.rotation, sizeof(a.rotation)) == 0;
@@ -40,7 +43,8 @@ void Guard(const std::string& path, const Action& action) {
 /// The open file, with a statement for each table that grows.
 class RecordingWriter::Statements {
  public:
-  explicit Statements(const std::string& path) : database_(path, SQLite::OPEN_READWRITE) {
+  explicit Statements(const std::string& path)
+      : database_(path, SQLite::OPEN_READWRITE, kBusyTimeout) {
     PrepareForAppending(database_);
   }
 

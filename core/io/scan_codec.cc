@@ -9,6 +9,7 @@
 
 #include "core/io/bits.h"
 #include "core/io/number_codec.h"
+#include "core/io/recording_schema.h"
 
 namespace loopscope {
 namespace {
@@ -124,6 +125,7 @@ void PutScans(const std::vector<LaserScan>& scans, ByteWriter* out) {
 
 std::vector<LaserScan> GetScans(ByteReader* in) {
   const std::vector<double> times = GetDoubles({}, in);
+  if (times.size() > kScansPerChunk) in->Fail("too many scans");
   const std::uint8_t scale = in->GetByte();
   if (scale >= kScales.size()) in->Fail("an unknown scale");
   std::vector<LaserScan> scans(times.size());

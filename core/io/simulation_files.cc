@@ -4,21 +4,14 @@
 
 #include "core/evaluation/true_relations.h"
 #include "core/io/carmen_writer.h"
+#include "core/io/log_stem.h"
 #include "core/io/relations_file.h"
 #include "core/io/tum_file.h"
 
 namespace loopscope {
-namespace {
-
-std::string WithoutEnd(const std::string& text, const std::string& end) {
-  if (text.size() < end.size() || text.substr(text.size() - end.size()) != end) return text;
-  return text.substr(0, text.size() - end.size());
-}
-
-}  // namespace
 
 SimulationFiles WriteSimulation(const std::string& log_path, const Simulation& simulation) {
-  const std::string stem = WithoutEnd(WithoutEnd(log_path, ".gz"), ".log");
+  const std::string stem = LogStem(log_path);
   const SimulationFiles files{log_path, stem + ".relations", stem + ".tum"};
   WriteCarmenLog(files.log, simulation.log);
   WriteRelations(files.relations, TrueRelations(simulation.ground_truth));

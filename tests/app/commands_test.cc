@@ -254,6 +254,8 @@ TEST_F(CommandTest, EvaluateRefusesWhatItCannotCompare) {
   ExpectRefused("evaluate run.loopscope --reference none.tum", "none.tum: cannot be opened");
   folder_.Write("other.tum", "5 0 0 0 0 0 0 1\n6 0 0 0 0 0 0 1\n");
   ExpectRefused("evaluate run.loopscope --reference other.tum", "nothing in common");
+  folder_.Write("other.relations", "5 6 1 0 0 0 0 0\n");
+  ExpectRefused("evaluate run.loopscope --relations other.relations", "nothing in common");
   ExpectRefused("evaluate a.log --reference other.tum", "a.log:");
 }
 
@@ -268,7 +270,7 @@ TEST_F(CommandTest, ExportWritesMapTrajectoryAndGraph) {
   ASSERT_EQ(Run("export run.loopscope --trajectory dense.tum --dense").exit_code, 0);
   EXPECT_EQ(ReadTum(folder_.Path("dense.tum")).size(), recording.log().odometry.size());
   ASSERT_EQ(Run("export run.loopscope --map raw.pgm --raw --step 50").exit_code, 0);
-  EXPECT_THAT(ContentOf(folder_.Path("raw.yaml")), HasSubstr("mode: scale"));
+  EXPECT_THAT(ContentOf(folder_.Path("raw.yaml")), HasSubstr("mode: trinary"));
 }
 
 TEST_F(CommandTest, ExportRefusesWhatItCannotDo) {

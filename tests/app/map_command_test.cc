@@ -55,6 +55,9 @@ TEST(MapCommand, NamesTheRecordingAfterTheLog) {
   folder.Write("some.log", OfficeExcerpt(3));
   EXPECT_EQ(RunLoopscope(folder, "map some.log").exit_code, 0);
   EXPECT_TRUE(IsRecording(folder.Path("some.loopscope")));
+  folder.Write("2026.11.30.log", OfficeExcerpt(3));
+  EXPECT_EQ(RunLoopscope(folder, "map 2026.11.30.log").exit_code, 0);
+  EXPECT_TRUE(IsRecording(folder.Path("2026.11.30.loopscope")));
 }
 
 TEST(MapCommand, GivesTheSameRecordingForAnyNumberOfThreads) {

@@ -249,6 +249,14 @@ TEST(BuildSceneTest, RefusesWhatCannotBeDrawnSayingWhatWasExpected) {
   request = RequestFor(ViewKind::kMap);
   request.width_in_meters = 0.0;
   EXPECT_EQ(WhyRefused(request), "width of the map is 0.000000 m: expected more than 0");
+  request.width_in_meters = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(WhyRefused(request), "width of the map is inf m: expected more than 0");
+  request = RequestFor(ViewKind::kMap);
+  request.center = Eigen::Vector2d(std::nan(""), 0.0);
+  EXPECT_EQ(WhyRefused(request), "center of the map: expected two finite numbers");
+  request = RequestFor(ViewKind::kTime);
+  request.azimuth = std::nan("");
+  EXPECT_EQ(WhyRefused(request), "azimuth: expected a finite number of degrees");
   request = RequestFor(ViewKind::kMatch);
   request.step = 0;
   EXPECT_EQ(WhyRefused(request),

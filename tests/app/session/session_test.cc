@@ -66,6 +66,15 @@ TEST(SessionTest, UndoesManyStepsAtOnceButNotWhatCameBetweenThem) {
   EXPECT_FALSE(session.can_undo());
 }
 
+TEST(SessionTest, ForgetsHowASearchOfAnotherRecordingWasFiltered) {
+  Session session = Loaded();
+  SessionState state = session.state();
+  state.search.num_visits = 7;
+  session.Change("visits", state);
+  session.Load("other.loopscope", SmallLoopRun());
+  EXPECT_TRUE(session.state().search.empty());
+}
+
 TEST(SessionTest, FollowsARecordingThatGrowsUnlessAnEarlierStepIsLookedAt) {
   const std::vector<SlamUpdate> updates = UpdatesOfSmallLoop(8);
   Session session;

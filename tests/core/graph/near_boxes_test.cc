@@ -15,8 +15,8 @@ Eigen::AlignedBox2d BoxAt(double x, double y) {
 }
 
 TEST(NearBoxes, AreAtMostTheDistanceApart) {
-  const std::vector<Eigen::AlignedBox2d> boxes = {BoxAt(3.0, 0.0), BoxAt(0.0, 0.0),
-                                                  BoxAt(3.0, 3.5), BoxAt(0.5, 0.5)};
+  const std::vector<Eigen::AlignedBox2d> boxes = {BoxAt(3.0, 0.0), BoxAt(0.0, 0.0), BoxAt(3.0, 3.5),
+                                                  BoxAt(0.5, 0.5)};
   const auto pairs = [&](double distance) { return NearBoxes(boxes, distance); };
   EXPECT_THAT(pairs(0.0), testing::ElementsAre(std::pair(3, 1)));
   EXPECT_THAT(pairs(1.5), testing::ElementsAre(std::pair(3, 0), std::pair(3, 1)));
@@ -30,8 +30,8 @@ TEST(NearBoxes, AreThoseOfABruteSearch) {
     std::vector<Eigen::AlignedBox2d> boxes;
     for (int i = 0; i < 60; ++i) {
       const Eigen::Vector2d corner(random.Uniform(-20.0, 20.0), random.Uniform(-20.0, 20.0));
-      boxes.emplace_back(corner,
-                         corner + Eigen::Vector2d(random.Uniform(0.0, 9.0), random.Uniform(0.0, 3.0)));
+      boxes.emplace_back(
+          corner, corner + Eigen::Vector2d(random.Uniform(0.0, 9.0), random.Uniform(0.0, 3.0)));
     }
     std::vector<std::pair<int, int>> expected;
     for (int b = 0; b < 60; ++b) {

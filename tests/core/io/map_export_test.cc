@@ -43,7 +43,7 @@ TEST(MapExport, KeepsGreysAndNoneOfThemIsThatOfTheUnknown) {
   const TemporaryFolder folder;
   const MapFiles files = ExportMap(SmallMap(), MapPixels::kGreys, folder.Path("map.pgm"));
   EXPECT_THAT(PixelsOf(ContentOf(files.image), 6), ElementsAre(205, 77, 204, 3, 128, 252));
-  EXPECT_THAT(ContentOf(files.yaml), HasSubstr("mode: scale\n"));
+  EXPECT_THAT(ContentOf(files.yaml), HasSubstr("mode: trinary\n"));
 }
 
 TEST(MapExport, PutsTheOriginAtTheLowerLeftCorner) {

@@ -56,8 +56,14 @@ TEST(RecordingCheck, NamesWhatIsWrongWithAStep) {
       {"search window", [](auto* u) { u->candidates[1].linear_search_window = 1e9; }},
       {"search window", [](auto* u) { u->candidates[1].angular_search_window = -0.1; }},
       {"score is not finite", [](auto* u) { u->candidates[1].rival_score = kNan; }},
-      {"pose is not finite", [](auto* u) { u->candidates[1].submap_from_node.rotation = kNan; }},
+      {"pose is nowhere", [](auto* u) { u->candidates[1].submap_from_node.rotation = kNan; }},
       {"wrong number of poses", [](auto* u) { u->optimization->global_from_node.pop_back(); }},
+      {"pose is nowhere", [](auto* u) { u->node->local_from_base.translation.y() = -1e10; }},
+      {"pose is nowhere", [](auto* u) { u->started_submap->local_from_submap.rotation = kNan; }},
+      {"poses that are nowhere",
+       [](auto* u) { u->optimization->global_from_submap[0].translation.x() = 1e200; }},
+      {"cost makes no sense", [](auto* u) { u->optimization->final_cost = 1e308; }},
+      {"cost makes no sense", [](auto* u) { u->optimization->initial_cost = kNan; }},
       {"drift that is not finite", [](auto* u) { u->optimization->drift_share.angular = kNan; }},
   };
   for (const auto& [expected, spoil] : faults) {

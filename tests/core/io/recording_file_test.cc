@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/io/recording_file.h"
 
+#include <chrono>
 #include <filesystem>
+#include <future>
 #include <random>
 #include <signal.h>
+#include <thread>
 #include <unistd.h>
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -64,6 +67,25 @@ TEST(RecordingFile, IsOneFileAtEveryStep) {
     writer.Append(run.updates()[step]);
     EXPECT_THAT(FilesIn(folder.Path("")), testing::ElementsAre("a.loopscope"));
   }
+}
+
+TEST(RecordingFile, GrowsAsSoonAsAReaderIsDone) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Path("a.loopscope");
+  const SmallRun run(2);
+  RecordingWriter writer(path, run.log(), CartographerPreset());
+  std::promise<void> is_reading;
+  std::thread reader([&] {
+    SQLite::Database database(path);
+    const SQLite::Transaction transaction(database);
+    database.execAndGet("SELECT count(*) FROM step");
+    is_reading.set_value();
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  });
+  is_reading.get_future().wait();
+  writer.Append(run.updates()[0]);
+  reader.join();
+  EXPECT_EQ(ReadRecording(path).num_steps(), 1);
 }
 
 TEST(RecordingFile, KnowsHowLongAFinishedRunTook) {
@@ -213,6 +235,8 @@ TEST(RecordingFile, ThrowsIfItIsInconsistent) {
       {"UPDATE option SET key = 'POSE_GRAPH.nonsense' WHERE key LIKE '%num_range_data'",
        "an option"},
       {"DROP TABLE submap", "no such table"},
+      {"ALTER TABLE step RENAME TO steps; CREATE VIEW step AS SELECT * FROM steps",
+       "more than tables"},
   };
   for (const auto& [damage, expected] : damages) {
     Write(path, SmallRun(30));

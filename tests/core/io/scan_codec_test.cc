@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "core/io/file_error.h"
+#include "core/io/recording_schema.h"
 
 namespace loopscope {
 namespace {
@@ -118,6 +119,11 @@ TEST(ScanCodec, OdometryComesBackBitForBit) {
     EXPECT_EQ(read[i].time, odometry[i].time);
     EXPECT_EQ(read[i].odom_from_base, odometry[i].odom_from_base);
   }
+}
+
+TEST(ScanCodec, RefusesMoreScansThanAChunkHolds) {
+  EXPECT_EQ(Unpack(Pack(std::vector<LaserScan>(kScansPerChunk))).size(), kScansPerChunk);
+  EXPECT_THROW(Unpack(Pack(std::vector<LaserScan>(kScansPerChunk + 1))), FileError);
 }
 
 }  // namespace
