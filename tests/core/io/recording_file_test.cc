@@ -75,7 +75,7 @@ TEST(RecordingFile, GrowsAsSoonAsAReaderIsDone) {
   const SmallRun run(2);
   RecordingWriter writer(path, run.log(), CartographerPreset());
   std::promise<void> is_reading;
-  std::thread reader([&] {
+  const auto reader = std::async(std::launch::async, [&] {
     SQLite::Database database(path);
     const SQLite::Transaction transaction(database);
     database.execAndGet("SELECT count(*) FROM step");
@@ -84,7 +84,7 @@ TEST(RecordingFile, GrowsAsSoonAsAReaderIsDone) {
   });
   is_reading.get_future().wait();
   writer.Append(run.updates()[0]);
-  reader.join();
+  reader.wait();
   EXPECT_EQ(ReadRecording(path).num_steps(), 1);
 }
 
