@@ -130,9 +130,9 @@ constexpr char kColumns[] =
     "closer than 3 m, and that see the same, those tied by a loop that is held and not false;\n"
     "accepted: by any that is not false. --loops tells of a false loop how well its scan fits "
     "near\n"
-    "to where the loop has it, and where the reference has it. The reference may be what is "
-    "wrong;\n"
-    "a loop that fits better there is false by its scan, too.\n"
+    "to where the loop has it, and where the reference has it. If it fits better there, the loop "
+    "is\n"
+    "false by its scan, too; else the submap is bent, or the reference is wrong.\n"
     "wall, entropy: how thick walls are, and how blurred. disagree: what scans that see occupied\n"
     "cells as free have of all that see these. '-': does not apply.";
 

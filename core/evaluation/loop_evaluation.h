@@ -9,9 +9,9 @@
 
 namespace loopscope {
 
-/// A loop that the reference says is false, and what its scan says. Where a reference that another
-/// mapper made is wrong itself, the scan fits where the loop has it, and not where the reference
-/// does.
+/// A loop that the reference says is false, and what its scan says. If that fits where the loop has
+/// it and not where the reference does, the match is right: it is the submap that is bent, or a
+/// reference that another mapper made is wrong itself.
 struct FalseLoop {
   JudgedLoop loop;
   /// The best scores of the scan in the submap within half of the tolerance (at most 1 m and 10
