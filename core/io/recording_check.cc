@@ -21,7 +21,7 @@ bool IsFinite(const Pose2& pose) {
 
 /// Whether a map could hold it.
 bool IsInMap(const Pose2& pose) {
-  constexpr double kFarthest = 1e9;  // [m] A grid of the smallest cells does not reach so far
+  constexpr double kFarthest = 1e6;  // [m] Cells of 5 mm can be counted so far
   return IsFinite(pose) && pose.translation.cwiseAbs().maxCoeff() <= kFarthest;
 }
 

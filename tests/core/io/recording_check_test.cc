@@ -58,6 +58,8 @@ TEST(RecordingCheck, NamesWhatIsWrongWithAStep) {
       {"score is not finite", [](auto* u) { u->candidates[1].rival_score = kNan; }},
       {"pose is nowhere", [](auto* u) { u->candidates[1].submap_from_node.rotation = kNan; }},
       {"wrong number of poses", [](auto* u) { u->optimization->global_from_node.pop_back(); }},
+      {"pose is nowhere",
+       [](auto* u) { u->started_submap->local_from_submap.translation.x() = 2e6; }},
       {"pose is nowhere", [](auto* u) { u->node->local_from_base.translation.y() = -1e10; }},
       {"pose is nowhere", [](auto* u) { u->started_submap->local_from_submap.rotation = kNan; }},
       {"poses that are nowhere",
