@@ -9,6 +9,7 @@
 #include "core/graph/graph_solver.h"
 #include "tests/support/mapped_log.h"
 #include "tests/support/pose_matchers.h"
+#include "tests/support/small_loop_run.h"
 
 namespace loopscope {
 namespace {
@@ -21,8 +22,6 @@ Options NarrowGateOptions() {
   options.pose_graph.constraint_builder.consistency.num_checked_neighbors = 0;
   return options;
 }
-
-Recording MapSmallLoop() { return MapLog(SimulateSmallLoop().log, SmallLoopOptions()); }
 
 bool WasSearched(const LoopCandidate& candidate) {
   return candidate.verdict != Verdict::kNotSampled;
@@ -45,7 +44,7 @@ void ExpectSameGrid(const ProbabilityGrid& a, const ProbabilityGrid& b) {
 }
 
 TEST(GridOfSubmap, IsTheGridThatLocalSlamFinished) {
-  const Recording recording = MapSmallLoop();
+  const Recording& recording = SmallLoopRun();
   LocalSlam local_slam(recording.log(), recording.options().trajectory_builder_2d);
   int num_finished = 0;
   for (int step = 0; step < recording.num_steps(); ++step) {
@@ -61,7 +60,7 @@ TEST(GridOfSubmap, IsTheGridThatLocalSlamFinished) {
 }
 
 TEST(GridOfSubmap, GrowsNodeByNode) {
-  const Recording recording = MapSmallLoop();
+  const Recording& recording = SmallLoopRun();
   const SubmapId submap{2};
   EXPECT_TRUE(GridOfSubmap(recording, submap, 0).box().empty());
   ProbabilityGrid grid = GridOfSubmap(recording, submap, 4);
@@ -73,7 +72,7 @@ TEST(GridOfSubmap, GrowsNodeByNode) {
 }
 
 TEST(GrowGrids, MakesThoseOfEachSubmapByItself) {
-  const Recording recording = MapSmallLoop();
+  const Recording& recording = SmallLoopRun();
   const SubmapId first{2};
   const std::vector<int> nums_nodes = {3, recording.submap(SubmapId{3}).num_nodes, 0, 5};
   std::vector<ProbabilityGrid> grids(4, GridOfSubmap(recording, first, 0));
@@ -94,7 +93,7 @@ TEST(GrowGrids, MakesThoseOfEachSubmapByItself) {
 }
 
 TEST(NumNodesOfSubmapAfterStep, CountsTheNodesUntilThen) {
-  const Recording recording = MapSmallLoop();
+  const Recording& recording = SmallLoopRun();
   const SubmapId id{1};
   const Submap& submap = recording.submap(id);
   const int first_step = recording.node(submap.first_node).step;
@@ -122,7 +121,7 @@ void ExpectSameCandidate(const LoopCandidate& a, const LoopCandidate& b) {
 }
 
 TEST(ReplaySearch, FindsForEverySearchWhatTheMapperFoundBitForBit) {
-  const Recording recording = MapSmallLoop();
+  const Recording& recording = SmallLoopRun();
   int num_searched = 0;
   for (const LoopCandidate& candidate : recording.candidates()) {
     if (!WasSearchedLast(recording, candidate)) continue;
@@ -145,7 +144,7 @@ TEST(ReplaySearch, FindsForEverySearchWhatTheMapperFoundBitForBit) {
 }
 
 TEST(GateOfPair, ExpectsNoDriftOfALastLook) {
-  const Recording recording = MapSmallLoop();
+  const Recording& recording = SmallLoopRun();
   const auto& candidates = recording.candidates();
   const auto last = std::find_if(candidates.begin(), candidates.end(),
                                  [](const auto& candidate) { return candidate.last_look; });
@@ -156,7 +155,7 @@ TEST(GateOfPair, ExpectsNoDriftOfALastLook) {
 }
 
 TEST(ReplaySearch, FindsWhatWasRejectedIfAskedForLess) {
-  const Recording recording = MapSmallLoop();
+  const Recording& recording = SmallLoopRun();
   const auto& candidates = recording.candidates();
   const auto below = std::find_if(candidates.begin(), candidates.end(), [](const auto& candidate) {
     return candidate.verdict == Verdict::kBelowMinScore;
@@ -169,7 +168,7 @@ TEST(ReplaySearch, FindsWhatWasRejectedIfAskedForLess) {
 }
 
 TEST(ReplaySearch, SearchesWhatTheMapperDidNotSample) {
-  const Recording recording = MapSmallLoop();
+  const Recording& recording = SmallLoopRun();
   const auto& candidates = recording.candidates();
   const auto skipped = std::find_if(candidates.begin(), candidates.end(),
                                     [](const auto& c) { return !WasSearched(c); });
@@ -181,7 +180,7 @@ TEST(ReplaySearch, SearchesWhatTheMapperDidNotSample) {
 }
 
 TEST(SearchWholeSubmap, LooksBeyondTheWindowOfTheMapper) {
-  const Recording recording = MapSmallLoop();
+  const Recording& recording = SmallLoopRun();
   int num_closed = 0;
   int num_beyond = 0;  // the corners of the loop look alike
   for (const LoopCandidate& candidate : recording.candidates()) {
@@ -201,7 +200,7 @@ TEST(SearchWholeSubmap, LooksBeyondTheWindowOfTheMapper) {
 }
 
 TEST(ReplaySearch, IsNothingForASubmapThatGrowsOrHoldsTheNode) {
-  const Recording recording = MapSmallLoop();
+  const Recording& recording = SmallLoopRun();
   const int newest = static_cast<int>(recording.submaps().size()) - 1;
   ASSERT_LT(recording.submaps()[newest].finished_step, 0);
   EXPECT_FALSE(ReplaySearch(recording, SubmapId{newest}, NodeId{0}));
@@ -272,7 +271,7 @@ TEST(GateOfPair, IsOpenForExactlyThePairsThatCameUp) {
 }
 
 TEST(ConstraintsOf, AreTheOnesThatTheLastOptimizationHeld) {
-  const Recording recording = MapSmallLoop();
+  const Recording& recording = SmallLoopRun();
   const MapState state = StateAfterStep(recording, recording.num_steps() - 1);
   GraphProblem problem{
       state.global_from_submap, state.global_from_node, ConstraintsOf(recording, state), {}};

@@ -10,14 +10,13 @@
 #include "core/slam/derive.h"
 #include "tests/support/mapped_log.h"
 #include "tests/support/pose_matchers.h"
+#include "tests/support/small_loop_run.h"
 
 namespace loopscope {
 namespace {
 
-Recording MapSmallLoop() { return MapLog(SimulateSmallLoop().log, SmallLoopOptions()); }
-
 TEST(ReplayMatch, MatchesAgainToTheRecordedPoseBitForBit) {
-  const Recording recording = MapSmallLoop();
+  const Recording& recording = SmallLoopRun();
   int num_replayed = 0;
   for (int step = 1; step < recording.num_steps(); step += 5) {
     SCOPED_TRACE(step);
@@ -63,7 +62,7 @@ TEST(ReplayMatch, HasTheWallsThatTheScanWasMatchedAgainst) {
 }
 
 TEST(ReplayMatch, TellsWherePriorAndMatchStandInTheSubmap) {
-  const Recording recording = MapSmallLoop();
+  const Recording& recording = SmallLoopRun();
   const auto replay = ReplayMatch(recording, 50);
   const Pose2& local_from_submap = recording.submap(replay->submap).local_from_submap;
   const Step& step = recording.step(50);
