@@ -128,11 +128,9 @@ constexpr char kColumns[] =
     "loops within 20 cm and 1 deg of the optimized poses. true: of those held, within\n"
     "--loop-tolerance of the reference. recall: of the pairs of submaps that the reference puts\n"
     "closer than 3 m, and that see the same, those tied by a loop that is held and not false;\n"
-    "accepted: by any that is not false. --loops tells of a false loop how well its scan fits "
-    "near\n"
-    "to where the loop has it, and where the reference has it. If it fits better there, the loop "
-    "is\n"
-    "false by its scan, too; else the submap is bent, or the reference is wrong.\n"
+    "accepted: by any that is not false. --loops tells of a false loop how well its scan fits\n"
+    "near to where the loop has it, and where the reference has it. If it fits better there, the\n"
+    "loop is false by its scan, too; else the submap is bent, or the reference is wrong.\n"
     "wall, entropy: how thick walls are, and how blurred. disagree: what scans that see occupied\n"
     "cells as free have of all that see these. '-': does not apply.";
 

@@ -17,6 +17,23 @@ double SquareOf(const Eigen::Vector3d& error, const Term& term) {
   return SpaInformation::OfWeights(term.translation_weight, term.rotation_weight).SquareOf(error);
 }
 
+/// What a term adds to the cost at the poses of `graph`.
+double CostOf(const Constraint& c, const GraphState& graph,
+              const OptimizationProblemOptions& options) {
+  const Eigen::Vector3d error =
+      SpaError(c.submap_from_node, graph.global_from_submap[c.submap.index],
+               graph.global_from_node[c.node.index]);
+  const double square = SquareOf(error, c);
+  if (c.tag != Constraint::Tag::kInterSubmap) return 0.5 * square;
+  return IsOutlier(error, options.outliers) ? 0.0 : HuberCost(square, options.huber_scale);
+}
+
+double CostOf(const ConsecutiveNodes& c, const GraphState& graph) {
+  const Eigen::Vector3d error = SpaError(c.first_from_second, graph.global_from_node[c.first.index],
+                                         graph.global_from_node[c.second.index]);
+  return 0.5 * SquareOf(error, c);
+}
+
 }  // namespace
 
 MovingPart::MovingPart(const GraphState& graph, const std::vector<Constraint>& constraints,
@@ -27,28 +44,19 @@ MovingPart::MovingPart(const GraphState& graph, const std::vector<Constraint>& c
   problem_.num_held_submaps = std::max(first_moving.index, 1);
   for (std::size_t i = 0; i < constraints.size(); ++i) {
     const Constraint& c = constraints[i];
-    if (!(c.submap < first_moving) || c.node.index >= first_moving_node_) {
+    if (c.submap < first_moving && c.node.index < first_moving_node_) {
+      left_out_cost_ += CostOf(c, graph, options);
+    } else {
       problem_.constraints.push_back(c);
       constraint_indices_.push_back(i);
-      continue;
     }
-    const Eigen::Vector3d error =
-        SpaError(c.submap_from_node, graph.global_from_submap[c.submap.index],
-                 graph.global_from_node[c.node.index]);
-    const bool is_loop = c.tag == Constraint::Tag::kInterSubmap;
-    if (is_loop && IsOutlier(error, options.outliers)) continue;
-    const double square = SquareOf(error, c);
-    left_out_cost_ += is_loop ? HuberCost(square, options.huber_scale) : 0.5 * square;
   }
   for (const ConsecutiveNodes& c : consecutive_nodes) {
-    if (c.second.index >= first_moving_node_) {
+    if (c.second.index < first_moving_node_) {
+      left_out_cost_ += CostOf(c, graph);
+    } else {
       problem_.consecutive_nodes.push_back(c);
-      continue;
     }
-    const Eigen::Vector3d error =
-        SpaError(c.first_from_second, graph.global_from_node[c.first.index],
-                 graph.global_from_node[c.second.index]);
-    left_out_cost_ += 0.5 * SquareOf(error, c);
   }
   TakeNodes(graph.global_from_node);
 }

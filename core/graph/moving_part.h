@@ -11,7 +11,8 @@
 namespace loopscope {
 
 /// A problem that holds all submaps before some submap, and their nodes, without the terms that
-/// cannot change and the nodes that only these have. So it does not grow with what is held.
+/// cannot change and the nodes that only these have: what takes long does not grow with what is
+/// held.
 class MovingPart {
  public:
   /// `first_moving` and all that is newer moves; but submap 0 never does. Of the terms that are

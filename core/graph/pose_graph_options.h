@@ -93,8 +93,8 @@ struct PoseGraphOptions {
   /// Not in Cartographer: nor before this share of all nodes is new. So what optimizations cost a
   /// node does not grow with the map.
   double optimize_every_share = 0.0;
-  /// Not in Cartographer: but not later than after so many new nodes, for what is new meanwhile is
-  /// searched in many submaps in wide windows.
+  /// Not in Cartographer: but that share delays none beyond so many new nodes, for what is new
+  /// meanwhile is searched in many submaps in wide windows.
   int optimize_at_latest_after_n_nodes = 1'000'000;
   /// Not in Cartographer: an optimization on the way holds the poses of all that is older than what
   /// is new and what that has loops with, if these are so many nodes; 0: never. All move when all

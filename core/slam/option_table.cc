@@ -337,7 +337,7 @@ Rows PoseGraphRows(PoseGraphOptions* o) {
        "Poses are not optimized before the new nodes are this share of all, so that the work for "
        "a node does not grow with the map."},
       {"optimize_at_latest_after_n_nodes", &o->optimize_at_latest_after_n_nodes, 1, kMaxCount, "",
-       "Poses are optimized after so many new nodes in any case."},
+       "Poses are optimized after so many new nodes where optimize_every_share would wait longer."},
       {"min_num_held_nodes", &o->min_num_held_nodes, 0, kMaxCount, "",
        "What is older than the new nodes and all that these have loops with stays where it "
        "is until all loops are judged anew, if it is so many nodes; 0: it moves."}};
