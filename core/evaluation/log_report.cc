@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/evaluation/statistics.h"
-#include "core/local/hanging_odometry.h"
+#include "core/local/used_odometry.h"
 #include "core/slam/options.h"
 
 namespace loopscope {

@@ -16,10 +16,6 @@ namespace {
 
 using SubmapPair = std::pair<int, int>;
 
-bool LiesIn(const Node& node, int submap) {
-  return node.first_submap.index <= submap && submap < node.first_submap.index + node.num_submaps;
-}
-
 /// Keeps the nearest two nodes of each pair of submaps.
 class NearestNodes {
  public:
@@ -29,11 +25,11 @@ class NearestNodes {
   void Add(int i, int j, double distance) {
     const Node& first = recording_.nodes()[i];
     const Node& second = recording_.nodes()[j];
-    for (int a = first.first_submap.index; LiesIn(first, a); ++a) {
-      for (int b = second.first_submap.index; LiesIn(second, b); ++b) {
-        if (LiesIn(second, a) || LiesIn(first, b)) continue;
-        if (recording_.submaps()[a].finished_step < 0) continue;  // then b has not finished either
-        AddTo(SubmapPair(a, b), i, j, distance);
+    for (SubmapId a = first.first_submap; first.LiesIn(a); ++a.index) {
+      for (SubmapId b = second.first_submap; second.LiesIn(b); ++b.index) {
+        if (second.LiesIn(a) || first.LiesIn(b)) continue;
+        if (recording_.submap(a).finished_step < 0) continue;  // then b has not finished either
+        AddTo(SubmapPair(a.index, b.index), i, j, distance);
       }
     }
   }
@@ -103,14 +99,23 @@ class CoarseReturns {
     constexpr double kResolution = 0.25;  // [m]
     std::vector<CoarseReturn> returns;
     if (!reference_[node.index]) return returns;
+    Pose2 pose = *reference_[node.index];
+    pose.translation -= kResolution * (FirstPlace() / kResolution).array().round().matrix();
+    if (!IsInMap(pose)) return returns;
     const RangeData range_data =
-        Transform(*reference_[node.index], RangeDataOfStep(recording_, recording_.node(node).step));
+        Transform(pose, RangeDataOfStep(recording_, recording_.node(node).step));
     for (const Eigen::Vector2d& point : range_data.returns) {
       const Eigen::Vector2d beam = point - range_data.origin;
       const double eighths = std::atan2(beam.y(), beam.x()) / (0.25 * M_PI);  // -4 ... 4
       returns.push_back({CellOf(point, kResolution), FloorToInt(eighths + 4.0) % 8});
     }
     return returns;
+  }
+
+  /// [m] A reference may be in the coordinates of a country, too large for cells.
+  const Eigen::Vector2d& FirstPlace() const {
+    const auto is_known = [](const std::optional<Pose2>& pose) { return pose.has_value(); };
+    return (*std::find_if(reference_.begin(), reference_.end(), is_known))->translation;
   }
 
   const OctantsOfCells& OctantsOf(SubmapId id) {
@@ -159,8 +164,8 @@ std::vector<Revisit> RevisitsWithout(const Recording& recording,
   std::set<SubmapPair> tied;
   for (const JudgedLoop& loop : loops) {
     const Node& node = recording.node(loop.node);
-    for (int submap = node.first_submap.index; LiesIn(node, submap); ++submap) {
-      tied.insert(std::minmax({loop.submap.index, submap}));
+    for (SubmapId submap = node.first_submap; node.LiesIn(submap); ++submap.index) {
+      tied.insert(std::minmax({loop.submap.index, submap.index}));
     }
   }
   std::vector<Revisit> others;

@@ -2,10 +2,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/evaluation/trajectory_error.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
 namespace loopscope {
+namespace {
+
+/// [rad] From the headings of the estimates to those of the reference.
+double MeanTurn(const std::vector<PosePair>& pairs) {
+  double sum_of_cosines = 0.0;
+  double sum_of_sines = 0.0;
+  for (const PosePair& pair : pairs) {
+    const double turn = pair.reference_from_base.rotation - pair.map_from_base.rotation;
+    sum_of_cosines += std::cos(turn);
+    sum_of_sines += std::sin(turn);
+  }
+  return std::atan2(sum_of_sines, sum_of_cosines);
+}
+
+}  // namespace
 
 std::vector<PosePair> PairByTime(const Trajectory& reference, const Trajectory& estimate) {
   std::vector<PosePair> pairs;
@@ -28,13 +44,21 @@ Pose2 AlignToReference(const std::vector<PosePair>& pairs) {
   // In the plane the optimal rotation is the angle of the summed products of complex numbers.
   double sum_of_dots = 0.0;
   double sum_of_crosses = 0.0;
+  double estimate_squares = 0.0;
+  double reference_squares = 0.0;
   for (const PosePair& pair : pairs) {
     const Eigen::Vector2d a = pair.map_from_base.translation - estimate_mean;
     const Eigen::Vector2d b = pair.reference_from_base.translation - reference_mean;
     sum_of_dots += a.dot(b);
     sum_of_crosses += a.x() * b.y() - a.y() * b.x();
+    estimate_squares += a.squaredNorm();
+    reference_squares += b.squaredNorm();
   }
-  const Pose2 rotation(0.0, 0.0, std::atan2(sum_of_crosses, sum_of_dots));
+  constexpr double kStandstill = 1e-3;  // [m]
+  const bool stood_still = std::min(estimate_squares, reference_squares) <
+                           static_cast<double>(pairs.size()) * kStandstill * kStandstill;
+  const Pose2 rotation(0.0, 0.0,
+                       stood_still ? MeanTurn(pairs) : std::atan2(sum_of_crosses, sum_of_dots));
   return Pose2(reference_mean - rotation * estimate_mean, rotation.rotation);
 }
 

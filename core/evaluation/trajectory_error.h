@@ -23,7 +23,8 @@ std::vector<PosePair> PairByTime(const Trajectory& reference, const Trajectory& 
 
 /// The motion that brings the translations of the estimates nearest to those of the reference in
 /// the sense of least squares: Umeyama, PAMI 13, 1991, in the plane and without scale; or Horn
-/// 1987. `pairs` must not be empty. The rotation is 0 if all positions are the same.
+/// 1987. `pairs` must not be empty. Positions of a robot that stood still, to 1 mm, tell no
+/// rotation: then it is the mean of what headings differ by.
 Pose2 AlignToReference(const std::vector<PosePair>& pairs);
 
 /// How far an estimate is from its reference.

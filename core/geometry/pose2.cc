@@ -36,6 +36,12 @@ bool operator==(const Pose2& a, const Pose2& b) {
   return a.translation == b.translation && a.rotation == b.rotation;
 }
 
+bool IsInMap(const Pose2& pose) {
+  constexpr double kFarthest = 1e6;  // [m]
+  return std::isfinite(pose.rotation) && std::abs(pose.x()) <= kFarthest &&
+         std::abs(pose.y()) <= kFarthest;
+}
+
 double Rounded(double value) { return std::round(1e6 * value) / 1e6; }
 
 Pose2 Rounded(const Pose2& pose) {

@@ -22,6 +22,10 @@ struct GraphNode {
   int num_submaps = 0;
   std::shared_ptr<const RangeData> scan;  ///< for loop searches, in the frame of the node
   bool matched_nowhere = false;           ///< see CountedWay
+
+  bool LiesIn(SubmapId submap) const {
+    return submap.index >= first_submap.index && submap.index < first_submap.index + num_submaps;
+  }
 };
 
 struct GraphSubmap {

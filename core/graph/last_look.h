@@ -9,8 +9,9 @@
 namespace loopscope {
 
 /// POSE_GRAPH.constraint_builder.last_look, not in Cartographer: after the final optimization all
-/// submaps of one place that no loop ties are searched once more where the map has them, in the
-/// least window. Few poses in it could match by chance, so that less has to match.
+/// submaps of one place, see SecondLookOptions, that no loop ties are searched once more where the
+/// map has them, in the least window. Few poses in it could match by chance, so that less has to
+/// match.
 struct LastLookOptions {
   int num_nodes = 0;              ///< that are searched in a submap of the same place; 0: off
   double min_score_factor = 1.0;  ///< of the score that a loop must beat otherwise

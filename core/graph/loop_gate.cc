@@ -46,9 +46,14 @@ LoopCandidate AtGate(const LoopGate& gate, SubmapId submap, NodeId node, int ste
   return candidate;
 }
 
+double MaxLinearWindow(const ConstraintBuilderOptions& options) {
+  return std::max(options.fast_correlative_scan_matcher.linear_search_window,
+                  options.max_linear_search_window);
+}
+
 double MaxGateDistance(const ConstraintBuilderOptions& options) {
-  const double least = options.fast_correlative_scan_matcher.linear_search_window;
-  return options.max_constraint_distance + std::max(0.0, options.max_linear_search_window - least);
+  return options.max_constraint_distance + MaxLinearWindow(options) -
+         options.fast_correlative_scan_matcher.linear_search_window;
 }
 
 double SamplingShare(double linear_window, double gap, const ConstraintBuilderOptions& options) {

@@ -37,6 +37,9 @@ LoopGate EvaluateLoopGate(const Pose2& submap_from_node_guess, const Eigen::Alig
 LoopCandidate AtGate(const LoopGate& gate, SubmapId submap, NodeId node, int step,
                      const Pose2& submap_from_node_guess, double min_score);
 
+/// [m] No gate with these options has a larger one.
+double MaxLinearWindow(const ConstraintBuilderOptions& options);
+
 /// [m] No gate with these options is near beyond it.
 double MaxGateDistance(const ConstraintBuilderOptions& options);
 

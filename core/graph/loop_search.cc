@@ -3,7 +3,10 @@
 #include "core/graph/loop_search.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "core/matching/search_lattice.h"
 
 namespace loopscope {
 
@@ -63,7 +66,8 @@ bool IsAtBorder(const LoopCandidate& found, double resolution) {
   if (found.whole_submap) return false;
   const Eigen::Vector2d moved =
       found.submap_from_node_searched.translation - found.submap_from_node_guess.translation;
-  return moved.cwiseAbs().maxCoeff() > found.linear_search_window - resolution;
+  return std::lround(moved.cwiseAbs().maxCoeff() / resolution) >=
+         NumLinearSteps(found.linear_search_window, resolution);
 }
 
 struct LoopSearch::SearchedSubmap {

@@ -26,7 +26,8 @@ LoopCandidate SearchLoop(const LoopCandidate& candidate, const RangeData& scan_i
                          const ProbabilityGrid& grid, const BranchAndBoundMatcher& matcher,
                          const ConstraintBuilderOptions& options, SearchTrace* trace = nullptr);
 
-/// Whether the winner lies at the border of its window, so that one beyond could match better.
+/// Whether the winner lies in the outermost cells of its window, so that one beyond could match
+/// better.
 /// `resolution` [m] is that of the search.
 bool IsAtBorder(const LoopCandidate& found, double resolution);
 

@@ -117,14 +117,9 @@ double PoseGraph::MinLoopScoreOf(SubmapId id, const ProbabilityGrid& grid) const
   return MinLoopScore(own_nodes, grid, options_.constraint_builder);
 }
 
-bool PoseGraph::LiesIn(const GraphNode& node, SubmapId submap) {
-  return node.first_submap.index <= submap.index &&
-         submap.index < node.first_submap.index + node.num_submaps;
-}
-
 void PoseGraph::Consider(SubmapId submap, NodeId node, double way, int step) {
   const GraphNode& data = graph_.node(node);
-  if (!SearchesLoops() || data.scan->returns.empty() || LiesIn(data, submap)) return;
+  if (!SearchesLoops() || data.scan->returns.empty() || data.LiesIn(submap)) return;
   const LoopCandidate candidate = CandidateOf(submap, node, way, step);
   if (candidate.verdict == Verdict::kTooFar) return;
   const LoopCandidate narrowed = WithDriftShare(candidate, drift_share_);
@@ -223,6 +218,7 @@ std::vector<LoopCandidate> PoseGraph::LookLast(int step) {
     const GraphNode& data = graph_.node(node);
     if (data.scan->returns.empty()) continue;
     LoopCandidate candidate = CandidateOf(submap, node, 0.0, step);  // no drift: the least window
+    if (candidate.verdict == Verdict::kTooFar) continue;
     candidate.last_look = true;
     loop_search_.Begin(candidate, data.scan);
   }

@@ -62,7 +62,6 @@ class PoseGraph {
   /// Local SLAM and odometry between the node and the one before it.
   void AddConsecutive(NodeId id);
   double MinLoopScoreOf(SubmapId id, const ProbabilityGrid& grid) const;
-  static bool LiesIn(const GraphNode& node, SubmapId submap);
   /// Searches submaps of the same place that no loop ties.
   void LookAgain(int step);
   SubmapPlace PlaceOf(SubmapId id) const;

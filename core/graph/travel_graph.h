@@ -14,8 +14,6 @@ namespace loopscope {
 /// closed is a short cut.
 class TravelGraph {
  public:
-  int num_submaps() const { return static_cast<int>(edges_.size()); }
-
   /// Adds the next submap, `way` [m] after the one before it.
   void AddSubmap(double way);
 

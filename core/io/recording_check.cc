@@ -19,12 +19,6 @@ bool IsFinite(const Pose2& pose) {
   return pose.translation.allFinite() && std::isfinite(pose.rotation);
 }
 
-/// Whether a map could hold it.
-bool IsInMap(const Pose2& pose) {
-  constexpr double kFarthest = 1e6;  // [m] Cells of 5 mm can be counted so far
-  return IsFinite(pose) && pose.translation.cwiseAbs().maxCoeff() <= kFarthest;
-}
-
 bool IsWithin(double value, double low, double high) { return low <= value && value <= high; }
 
 bool AllInMap(const std::vector<Pose2>& poses) {
@@ -85,11 +79,11 @@ Fault FaultOfPair(const LoopCandidate& candidate, const SlamUpdate& update,
   return std::nullopt;
 }
 
-Fault FaultOfSearch(const LoopCandidate& candidate) {
-  constexpr double kMaxLinearWindow = 1e4;  // [m], far more than any search takes
-  if (!IsWithin(candidate.linear_search_window, 0.0, kMaxLinearWindow) ||
-      !IsWithin(candidate.angular_search_window, 0.0, 2.0 * M_PI)) {
-    return "a loop whose search window makes no sense";
+Fault FaultOfSearch(const LoopCandidate& candidate, const ConstraintBuilderOptions& options) {
+  constexpr double kRounding = 1e-6;
+  if (!IsWithin(candidate.linear_search_window, 0.0, MaxLinearWindow(options) + kRounding) ||
+      !IsWithin(candidate.angular_search_window, 0.0, M_PI + kRounding)) {
+    return "a loop whose search window is larger than the options allow";
   }
   for (const double score :
        {candidate.score, candidate.score_bound, candidate.min_score, candidate.rival_score}) {
@@ -111,9 +105,9 @@ Fault FaultOf(const Optimization& optimization, std::size_t num_submaps, std::si
   if (!AllInMap(optimization.global_from_submap) || !AllInMap(optimization.global_from_node)) {
     return "an optimization with poses that are nowhere";
   }
-  if (!std::isfinite(optimization.drift_share.linear) ||
-      !std::isfinite(optimization.drift_share.angular)) {
-    return "an optimization with drift that is not finite";
+  if (!IsWithin(optimization.drift_share.linear, 0.0, 1.0) ||
+      !IsWithin(optimization.drift_share.angular, 0.0, 1.0)) {
+    return "an optimization with a share of windows that is not between 0 and 1";
   }
   constexpr double kMaxCost = 1e100;
   if (!IsWithin(optimization.initial_cost, -kMaxCost, kMaxCost) ||
@@ -175,7 +169,9 @@ Fault FaultOf(const SlamUpdate& update, const Recording& recording) {
   }
   for (const LoopCandidate& candidate : update.candidates) {
     if (Fault fault = FaultOfPair(candidate, update, recording)) return fault;
-    if (Fault fault = FaultOfSearch(candidate)) return fault;
+    if (Fault fault = FaultOfSearch(candidate, recording.options().pose_graph.constraint_builder)) {
+      return fault;
+    }
   }
   if (update.optimization) return FaultOf(*update.optimization, num_submaps, num_nodes);
   return std::nullopt;

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/io/recording_creation.h"
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -33,22 +31,14 @@ void WriteWithoutSteps(const std::string& path, const ScanLog& log, const Option
   transaction.commit();
 }
 
-/// Throws the reason why no file can be made at `path`, which SQLite does not tell.
-void MakeEmptyFile(const std::string& path, const std::string& named_path) {
-  errno = 0;
-  std::FILE* const file = std::fopen(path.c_str(), "wb");
-  if (file == nullptr) {
-    throw FileError(named_path, std::string("cannot be written: ") + std::strerror(errno));
-  }
-  std::fclose(file);
-}
-
 /// A journal beside a recording belongs to its last step. It must not come upon another recording,
 /// nor the recording lose it: SQLite puts this right when it reads the file.
 void SettleJournal(const std::string& path) {
-  if (!fs::exists(path + "-journal")) return;
-  SQLite::Database(path, SQLite::OPEN_READWRITE).execAndGet("SELECT count(*) FROM step");
-  fs::remove(path + "-journal");
+  const std::string journal = path + "-journal";
+  if (fs::exists(journal) && IsRecording(path)) {
+    SQLite::Database(path, SQLite::OPEN_READWRITE).execAndGet("SELECT count(*) FROM step");
+  }
+  fs::remove(journal);
 }
 
 void CheckReplaceable(const std::string& path) {
@@ -63,15 +53,19 @@ void CheckReplaceable(const std::string& path) {
 
 }  // namespace
 
-void CreateRecording(const std::string& path, const ScanLog& log, const Options& options) {
+FileLock CreateRecording(const std::string& path, const ScanLog& log, const Options& options) {
   CheckReplaceable(path);
   const std::string part = path + ".part";
-  fs::remove(part + "-journal");
-  MakeEmptyFile(part, path);
+  FileLock lock(part, path);
   try {
+    fs::resize_file(part, 0);
+    fs::remove(part + "-journal");
     WriteWithoutSteps(part, log, options);
+    std::optional<FileLock> replaced;
+    if (fs::exists(path)) replaced.emplace(path, path);
     SettleJournal(path);
     fs::rename(part, path);
+    return lock;
   } catch (...) {
     std::error_code ignored;
     fs::remove(part, ignored);

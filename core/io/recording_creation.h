@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "core/io/file_lock.h"
 #include "core/sensor/scan_log.h"
 #include "core/slam/options.h"
 
@@ -14,9 +15,11 @@ class Database;
 namespace loopscope {
 
 /// Makes a recording without steps at `path`, in the place of another one if there is. It is
-/// written to `path`.part first; on failure, what was at `path` is as before. Throws FileError,
-/// SQLite::Exception or std::filesystem::filesystem_error.
-void CreateRecording(const std::string& path, const ScanLog& log, const Options& options);
+/// written to `path`.part first; on failure, what was at `path` is as before. Nobody else can
+/// replace it while the lock is kept, which must outlive all connections of this process to it.
+/// Throws FileError, SQLite::Exception or std::filesystem::filesystem_error.
+[[nodiscard]] FileLock CreateRecording(const std::string& path, const ScanLog& log,
+                                       const Options& options);
 
 /// Sets up a connection for transactions that the death of the process cannot hurt. Nothing is
 /// flushed to the disk in between, so the death of the machine can.

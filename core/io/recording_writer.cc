@@ -3,6 +3,7 @@
 #include <cassert>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
@@ -43,8 +44,8 @@ void Guard(const std::string& path, const Action& action) {
 /// The open file, with a statement for each table that grows.
 class RecordingWriter::Statements {
  public:
-  explicit Statements(const std::string& path)
-      : database_(path, SQLite::OPEN_READWRITE, kBusyTimeout) {
+  Statements(const std::string& path, FileLock lock)
+      : lock_(std::move(lock)), database_(path, SQLite::OPEN_READWRITE, kBusyTimeout) {
     PrepareForAppending(database_);
   }
 
@@ -118,6 +119,7 @@ class RecordingWriter::Statements {
     last_global_from_node_ = optimization.global_from_node;
   }
 
+  FileLock lock_;
   SQLite::Database database_;
   SQLite::Statement insert_step_{database_, "INSERT INTO step VALUES (?, ?, ?, ?, ?, ?)"};
   SQLite::Statement insert_submap_{database_, "INSERT INTO submap VALUES (?, ?, ?, ?, ?, ?)"};
@@ -137,8 +139,7 @@ RecordingWriter::RecordingWriter(const std::string& path, const ScanLog& log,
                                  const Options& options)
     : path_(path) {
   Guard(path_, [&] {
-    CreateRecording(path_, log, options);
-    statements_ = std::make_unique<Statements>(path_);
+    statements_ = std::make_unique<Statements>(path_, CreateRecording(path_, log, options));
   });
 }
 

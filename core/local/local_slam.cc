@@ -3,17 +3,27 @@
 #include "core/local/local_slam.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "core/local/changed_ranges.h"
-#include "core/local/hanging_odometry.h"
 #include "core/local/scan_preparation.h"
 #include "core/local/shared_jump.h"
+#include "core/local/used_odometry.h"
 #include "core/matching/match_score.h"
 #include "core/matching/wide_walls.h"
 
 namespace loopscope {
 namespace {
+
+void RequireInMap(const Pose2& local_from_base) {
+  if (IsInMap(local_from_base)) return;
+  throw std::length_error(
+      fmt::format("the robot is {:.3g} m from where it began, too far for a map",
+                  local_from_base.translation.norm()));
+}
 
 /// The expected score forgets within some twenty scans, of which the first count alike.
 constexpr double kExpectedScoreGain = 0.05;
@@ -48,6 +58,7 @@ LocalSlamResult LocalSlam::AddScan(int scan) {
   result.local_from_base_prior = Rounded(extrapolator_.Predict(time, result.odom_from_base));
   result.local_from_base = result.local_from_base_prior;
   if (result.has_returns) Match(scan, &result);
+  RequireInMap(result.local_from_base);
   extrapolator_.AddPose(time, result.local_from_base, result.odom_from_base,
                         result.motion_knowledge);
   if (result.has_returns && !motion_filter_.IsSimilar(time, result.local_from_base)) {
@@ -63,7 +74,8 @@ void LocalSlam::Match(int scan, LocalSlamResult* result) {
   if (!points) return;
   const ScanToMatch scan_to_match{scan, *points, IsFarFromBefore(scan)};
   std::optional<ProbabilityGrid> wide_walls;
-  const bool may_be_held_back = !result->odom_from_base || scan_to_match.is_far_from_before;
+  const bool is_measured = extrapolator_.MotionIsMeasured(result->odom_from_base);
+  const bool may_be_held_back = !is_measured || scan_to_match.is_far_from_before;
   if (options_.share_beside_walls > 0.0 && may_be_held_back) {
     wide_walls = WithWideWalls(active->grid, options_.share_beside_walls);
     result->wide_walls = true;
@@ -72,7 +84,7 @@ void LocalSlam::Match(int scan, LocalSlamResult* result) {
   const ScanMatch match = MatchInDoubt(scan_to_match, *result, submap);
   LearnExpectedScore(match.score);
   SetPose(scan, match, submap, result);
-  const bool is_as_measured = result->odom_from_base && match.start == MatchStart::kPrior;
+  const bool is_as_measured = is_measured && match.start == MatchStart::kPrior;
   const bool is_held =
       !MatchedNowhere(match.start) && HoldsAhead(*points, match.submap_from_base, active->grid);
   result->motion_knowledge = {is_as_measured || is_held, is_as_measured && is_held};
@@ -91,7 +103,7 @@ void LocalSlam::SetPose(int scan, const ScanMatch& match, const MatchedSubmap& s
         Rounded(local_from_submap * *match.submap_from_base_correlative);
   }
   result->match_start = match.start;
-  if (match.start != MatchStart::kNone || !result->odom_from_base) {
+  if (match.start != MatchStart::kNone || !extrapolator_.MotionIsMeasured(result->odom_from_base)) {
     result->local_from_base = Rounded(local_from_submap * match.submap_from_base);
   } else if (const auto local_from_base = PlaceByScansAhead(scan, submap)) {
     result->local_from_base = Rounded(*local_from_base);
@@ -150,7 +162,7 @@ ScanMatch LocalSlam::MatchWithoutOdometry(const ScanToMatch& scan,
 
 ScanMatch LocalSlam::MatchInDoubt(const ScanToMatch& scan, const LocalSlamResult& result,
                                   const MatchedSubmap& submap) const {
-  if (!result.odom_from_base || !extrapolator_.HasOdometry()) {
+  if (!extrapolator_.MotionIsMeasured(result.odom_from_base)) {
     return MatchWithoutOdometry(scan, submap);
   }
   const ScanMatch match =
@@ -175,14 +187,21 @@ ScanMatch LocalSlam::MatchInDoubt(const ScanToMatch& scan, const LocalSlamResult
   return without_odometry;
 }
 
-std::optional<ScanMatch> LocalSlam::MatchScanAhead(int scan, const Pose2& local_from_predicted,
+LocalSlam::Prediction LocalSlam::Predict(int scan, const PoseExtrapolator& extrapolator) const {
+  const std::optional<Pose2> odom_from_base = UsedOdometry(log_, scan, options_);
+  return {extrapolator.Predict(log_.scans[scan].time, odom_from_base), odom_from_base,
+          extrapolator.MotionIsMeasured(odom_from_base)};
+}
+
+std::optional<ScanMatch> LocalSlam::MatchScanAhead(int scan, const Prediction& prediction,
                                                    const MatchedSubmap& submap,
                                                    double expected_score) const {
   const auto points = PointsToMatch(PrepareRangeData(log_, scan, options_), options_);
   if (!points) return std::nullopt;
-  return MatchScan(*points, submap.grid,
-                   {submap.local_from_submap.Inverse() * local_from_predicted, true},
-                   expected_score, options_);
+  return MatchScan(
+      *points, submap.grid,
+      {submap.local_from_submap.Inverse() * prediction.local_from_base, prediction.is_measured},
+      expected_score, options_);
 }
 
 double LocalSlam::ScoreOfScansAhead(int scan, const Pose2& submap_from_base,
@@ -196,10 +215,10 @@ double LocalSlam::ScoreOfScansAhead(int scan, const Pose2& submap_from_base,
   const int end = std::min(scan + 1 + num_scans, static_cast<int>(log_.scans.size()));
   double sum = 0.0;
   for (int ahead = scan + 1; ahead < end; ++ahead) {
-    Pose2 local_from_base =
-        extrapolator.Predict(log_.scans[ahead].time, UsedOdometry(log_, ahead, options_));
+    const Prediction prediction = Predict(ahead, extrapolator);
+    Pose2 local_from_base = prediction.local_from_base;
     constexpr double kAnyScore = 0.0;
-    if (const auto match = MatchScanAhead(ahead, local_from_base, submap, kAnyScore)) {
+    if (const auto match = MatchScanAhead(ahead, prediction, submap, kAnyScore)) {
       sum += match->score;
       local_from_base = submap.local_from_submap * match->submap_from_base;
     }
@@ -214,13 +233,12 @@ std::optional<Pose2> LocalSlam::PlaceByScansAhead(int scan, const MatchedSubmap&
   PoseExtrapolator extrapolator = extrapolator_;
   std::vector<Pose2> local_from_predicted;
   for (int ahead = scan; ahead < end; ++ahead) {
-    const std::optional<Pose2> odom_from_base = UsedOdometry(log_, ahead, options_);
-    const double time = log_.scans[ahead].time;
-    const Pose2 predicted = extrapolator.Predict(time, odom_from_base);
-    extrapolator.AddPose(time, predicted, odom_from_base, MotionKnowledge());
-    local_from_predicted.push_back(predicted);
+    const Prediction prediction = Predict(ahead, extrapolator);
+    extrapolator.AddPose(log_.scans[ahead].time, prediction.local_from_base,
+                         prediction.odom_from_base, MotionKnowledge());
+    local_from_predicted.push_back(prediction.local_from_base);
     if (ahead == scan) continue;
-    const auto match = MatchScanAhead(ahead, predicted, submap, expected_score_);
+    const auto match = MatchScanAhead(ahead, prediction, submap, expected_score_);
     if (!match || match->start == MatchStart::kNone) continue;
     return FirstOfSharedJump(extrapolator_.LastPose(), local_from_predicted,
                              submap.local_from_submap * match->submap_from_base);

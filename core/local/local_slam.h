@@ -34,7 +34,8 @@ class LocalSlam {
   /// Keeps a reference to `log`.
   LocalSlam(const ScanLog& log, const LocalSlamOptions& options);
 
-  /// Adds scan `scan` of the log; scans are added in their order.
+  /// Adds scan `scan` of the log; scans are added in their order. Throws std::length_error if no
+  /// map could hold where the robot is.
   LocalSlamResult AddScan(int scan);
 
  private:
@@ -73,9 +74,15 @@ class LocalSlam {
   /// have it.
   ScanMatch MatchInDoubt(const ScanToMatch& scan, const LocalSlamResult& result,
                          const MatchedSubmap& submap) const;
-  /// Matches a scan that comes later, around where it is predicted; nothing if it has too few
-  /// points.
-  std::optional<ScanMatch> MatchScanAhead(int scan, const Pose2& local_from_predicted,
+  /// Where a scan is expected.
+  struct Prediction {
+    Pose2 local_from_base;
+    std::optional<Pose2> odom_from_base;  ///< UsedOdometry
+    bool is_measured = false;             ///< by odometry
+  };
+  Prediction Predict(int scan, const PoseExtrapolator& extrapolator) const;
+  /// Matches a scan that comes later; nothing if it has too few points.
+  std::optional<ScanMatch> MatchScanAhead(int scan, const Prediction& prediction,
                                           const MatchedSubmap& submap, double expected_score) const;
   /// The sum of the scores of the `num_scans` scans that follow `scan`, each around where odometry
   /// leads to if `scan` was at `submap_from_base`.

@@ -14,7 +14,7 @@ constexpr double kMaxStretch = 3.0;
 
 Pose2 PoseExtrapolator::Predict(double time, const std::optional<Pose2>& odom_from_base) const {
   if (!last_) return Pose2();
-  if (odom_from_base && last_->odom_from_base) {
+  if (MotionIsMeasured(odom_from_base)) {
     return last_->local_from_base *
            calibration_.Corrected(last_->odom_from_base->Inverse() * *odom_from_base);
   }
@@ -29,7 +29,7 @@ Pose2 PoseExtrapolator::PredictByVelocity(double time) const {
 }
 
 bool PoseExtrapolator::IsUnusual(const Pose2& odom_from_base) const {
-  if (!HasOdometry()) return false;
+  if (!MotionIsMeasured(odom_from_base)) return false;
   const Pose2 motion = last_->odom_from_base->Inverse() * odom_from_base;
   return usual_motion_.IsExceededBy(motion) ||
          (past_motions_.SayMoreThanVelocity() && !past_motions_.HaveOneLike(motion));
@@ -49,7 +49,7 @@ void PoseExtrapolator::AddPose(double time, const Pose2& local_from_base,
                                const MotionKnowledge& knowledge) {
   if (last_) {
     const Pose2 motion = last_->local_from_base.Inverse() * local_from_base;
-    if (last_->odom_from_base && odom_from_base) {
+    if (MotionIsMeasured(odom_from_base)) {
       const Pose2 odometry_motion = last_->odom_from_base->Inverse() * *odom_from_base;
       calibration_.Learn(odometry_motion, motion, knowledge.way_is_held);
       usual_motion_.Learn(odometry_motion);

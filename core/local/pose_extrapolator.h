@@ -40,8 +40,11 @@ class PoseExtrapolator {
   /// The identity before any pose is known.
   Pose2 LastPose() const { return last_ ? last_->local_from_base : Pose2(); }
 
-  /// Of the last pose, so that it can measure the motion since.
-  bool HasOdometry() const { return last_ && last_->odom_from_base; }
+  /// Whether odometry, which now has the robot at `odom_from_base`, measured the motion since the
+  /// last pose: it was known there, too.
+  bool MotionIsMeasured(const std::optional<Pose2>& odom_from_base) const {
+    return odom_from_base && last_ && last_->odom_from_base;
+  }
 
   /// Whether odometry measured no motion at all since the last pose: the robot rests, or odometry
   /// hangs.

@@ -18,13 +18,17 @@ double AngularStep(const PointCloud& points_in_scan, double resolution) {
   return std::acos(1.0 - 0.5 * ratio * ratio);
 }
 
+int NumLinearSteps(double linear_window, double resolution) {
+  return static_cast<int>(std::ceil(linear_window / resolution));
+}
+
 SearchWindow MakeSearchWindow(const PointCloud& points_in_scan, const Pose2& submap_from_scan_guess,
                               double linear_window, double angular_window, double resolution) {
   SearchWindow window;
   window.submap_from_scan_guess = submap_from_scan_guess;
   window.resolution = resolution;
   window.angular_step = AngularStep(points_in_scan, resolution);
-  window.num_linear_steps = static_cast<int>(std::ceil(linear_window / resolution));
+  window.num_linear_steps = NumLinearSteps(linear_window, resolution);
   window.num_angular_steps = static_cast<int>(std::ceil(angular_window / window.angular_step));
   return window;
 }

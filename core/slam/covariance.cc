@@ -3,7 +3,7 @@
 #include "core/slam/covariance.h"
 
 #include "core/graph/outliers.h"
-#include "core/local/hanging_odometry.h"
+#include "core/local/used_odometry.h"
 #include "core/slam/derive.h"
 
 namespace loopscope {

@@ -72,8 +72,9 @@ std::vector<double> NodeWays(const Recording& recording);
 /// last look: what that went by.
 LoopGate GateOfPair(const Recording& recording, SubmapId submap, NodeId node);
 
-/// The pair when it came up, as the mapper asked for it to be searched; the verdict is kTooFar, or
-/// kNotSampled if it went through the gate. The submap must have finished.
+/// The pair when it came up last, as the mapper would have asked for it to be searched; the verdict
+/// is kTooFar, or kNotSampled if it went through the gate. Pairs that were searched to check a lone
+/// loop nearby were so around where that has them. The submap must have finished.
 LoopCandidate ConsiderPair(const Recording& recording, SubmapId submap, NodeId node);
 
 /// A loop search made once more, exactly as the mapper did or would have.

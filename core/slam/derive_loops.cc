@@ -11,15 +11,10 @@
 namespace loopscope {
 namespace {
 
-bool LiesIn(const Submap& submap, NodeId node) {
-  return submap.first_node.index <= node.index &&
-         node.index < submap.first_node.index + submap.num_nodes;
-}
-
 /// What a search of the node in the submap uses; nothing if there can be none.
 std::optional<RangeData> SearchableScan(const Recording& recording, SubmapId submap, NodeId node) {
-  const Submap& record = recording.submap(submap);
-  if (record.finished_step < 0 || LiesIn(record, node)) return std::nullopt;
+  const bool finished = recording.submap(submap).finished_step >= 0;
+  if (!finished || recording.node(node).LiesIn(submap)) return std::nullopt;
   RangeData scan = LoopScanOfNode(recording, node);
   if (scan.returns.empty()) return std::nullopt;
   return scan;

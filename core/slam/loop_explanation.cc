@@ -31,6 +31,12 @@ class Checklist {
     return false;
   }
 
+  /// Likewise, of what hardly any pair fails, so that it is listed only then.
+  template <typename Answer>
+  bool AddIfFailed(LoopCheck check, const Answer& answer_if_failed) {
+    return check.passed || Add(std::move(check), answer_if_failed);
+  }
+
   LoopExplanation Closed(const std::string& answer) {
     explanation_.closed = true;
     explanation_.answer = answer;
@@ -49,12 +55,11 @@ LoopCheck FinishedCheck(const Submap& submap) {
           "yes", finished};
 }
 
-LoopCheck OutsideCheck(const Submap& submap, NodeId node) {
-  const int last = submap.first_node.index + submap.num_nodes - 1;
-  const bool inside = submap.first_node.index <= node.index && node.index <= last;
+LoopCheck OutsideCheck(const Submap& submap, bool node_lies_in) {
   return {"node outside of submap",
-          fmt::format("submap has nodes {} to {}", submap.first_node.index, last), "not among them",
-          !inside};
+          fmt::format("submap has nodes {} to {}", submap.first_node.index,
+                      submap.first_node.index + submap.num_nodes - 1),
+          "not among them", !node_lies_in};
 }
 
 LoopCheck DistanceCheck(const LoopGate& gate, const ConstraintBuilderOptions& options) {
@@ -70,18 +75,53 @@ LoopCheck DistanceCheck(const LoopGate& gate, const ConstraintBuilderOptions& op
           gate.is_near};
 }
 
-/// Nothing if the search took all of its windows.
-std::optional<LoopCheck> WindowCheck(const LoopCandidate& candidate, const LoopGate& gate) {
-  const double linear = candidate.linear_search_window / gate.linear_window;
-  const double angular = candidate.angular_search_window / gate.angular_window;
+LoopCheck SearchesCheck(const PoseGraphOptions& options) {
+  return {"optimize_every_n_nodes", std::to_string(options.optimize_every_n_nodes), "at least 1",
+          options.optimize_every_n_nodes > 0};
+}
+
+LoopCheck PointsCheck(const Recording& recording, NodeId node) {
+  const std::size_t num_points = LoopScanOfNode(recording, node).returns.size();
+  return {"points to search with", std::to_string(num_points), "at least 1", num_points > 0};
+}
+
+/// Whether the pair got its turn before the recording ended. Those that did are recorded.
+LoopCheck TurnCheck(const Recording& recording, const LoopCandidate* candidate) {
+  return {"came up before the end",
+          candidate != nullptr ? "yes" : fmt::format("no: {} scans", recording.num_steps()), "yes",
+          candidate != nullptr};
+}
+
+LoopCheck SampledCheck(const LoopCandidate& candidate, const ConstraintBuilderOptions& options) {
+  const bool searched = candidate.verdict != Verdict::kNotSampled;
+  return {"sampled", searched ? "yes" : "no",
+          fmt::format("a share of {} of the pairs at most{}", options.sampling_ratio,
+                      options.second_look.num_nodes > 0 ? ", or a second look" : ""),
+          searched};
+}
+
+/// Why the search took another window than the way allows; nothing if it did not.
+std::optional<LoopCheck> WindowCheck(const Recording& recording, const LoopCandidate& candidate,
+                                     const LoopGate& gate) {
+  const std::string window = fmt::format("{:.2f} m, {:.1f} deg", candidate.linear_search_window,
+                                         RadiansToDegrees(candidate.angular_search_window));
+  const LoopCandidate asked = ConsiderPair(recording, candidate.submap, candidate.node);
+  if (candidate.submap_from_node_guess != asked.submap_from_node_guess) {
+    return LoopCheck{"search window",
+                     window + " around where a loop of a node nearby has it, to check that", "",
+                     true};
+  }
   constexpr double kRounding = 1e-3;
-  if (linear > 1.0 - kRounding && angular > 1.0 - kRounding) return std::nullopt;
+  if (candidate.linear_search_window > (1.0 - kRounding) * gate.linear_window &&
+      candidate.angular_search_window > (1.0 - kRounding) * gate.angular_window) {
+    return std::nullopt;
+  }
   return LoopCheck{
       "search window",
-      fmt::format("{:.2f} m, {:.1f} deg: {:.0f} % and {:.0f} % of what the way allows, "
-                  "as loops before were off by less",
-                  candidate.linear_search_window, RadiansToDegrees(candidate.angular_search_window),
-                  100.0 * linear, 100.0 * angular),
+      fmt::format("{}: {:.0f} % and {:.0f} % of what the way allows, as loops before were off by "
+                  "less",
+                  window, 100.0 * candidate.linear_search_window / gate.linear_window,
+                  100.0 * candidate.angular_search_window / gate.angular_window),
       "", true};
 }
 
@@ -139,11 +179,9 @@ LoopCheck ResidualCheck(const Recording& recording, const LoopCandidate& candida
           "", true};
 }
 
-/// What a search that was not made would have found.
+/// What a search that was not made would have found. The pair must be one that can be searched.
 std::string WouldHaveMatched(const Recording& recording, SubmapId submap, NodeId node) {
-  const auto replay = ReplaySearch(recording, submap, node);
-  if (!replay) return "The node has no points to search with.";
-  const LoopCandidate& result = replay->result;
+  const LoopCandidate result = ReplaySearch(recording, submap, node).value().result;
   return fmt::format(
       "Searched now, in {:.1f} m and {:.1f} deg around the estimate of then, it "
       "scores {:.3f}; {:.3f} is needed.",
@@ -160,31 +198,30 @@ LoopExplanation ExplainLoop(const Recording& recording, SubmapId submap, NodeId 
   if (!list.Add(
           FinishedCheck(record),
           "Not closed: the submap was never finished, and only finished ones are searched.") ||
-      !list.Add(OutsideCheck(record, node),
-                "Not closed: the node was inserted into the submap itself (INTRA_SUBMAP).")) {
+      !list.Add(OutsideCheck(record, recording.node(node).LiesIn(submap)),
+                "Not closed: the node was inserted into the submap itself (INTRA_SUBMAP).") ||
+      !list.AddIfFailed(SearchesCheck(recording.options().pose_graph),
+                        "Not closed: loops were not searched at all.") ||
+      !list.AddIfFailed(PointsCheck(recording, node),
+                        "Not closed: the scan has nothing to match.")) {
     return list.explanation();
   }
+  const auto not_searched = [&](const std::string& reason) {
+    return [&recording, submap, node, reason] {
+      return "Not closed: " + reason + " " + WouldHaveMatched(recording, submap, node);
+    };
+  };
   const LoopGate gate = GateOfPair(recording, submap, node);
-  if (!list.Add(DistanceCheck(gate, options), [&] {
-        return "Not closed: too far apart to be searched. " +
-               WouldHaveMatched(recording, submap, node);
-      })) {
-    return list.explanation();
-  }
   const std::optional<int> index = recording.FindCandidate(submap, node);
   const LoopCandidate* const candidate = index ? &recording.candidates()[*index] : nullptr;
-  const bool searched = candidate != nullptr && candidate->verdict != Verdict::kNotSampled;
-  if (!list.Add({"sampled", searched ? "yes" : "no",
-                 fmt::format("a share of {} of the pairs at most{}", options.sampling_ratio,
-                             options.second_look.num_nodes > 0 ? ", or a second look" : ""),
-                 searched},
-                [&] {
-                  return "Not closed: the pair was near enough, but skipped by sampling_ratio. " +
-                         WouldHaveMatched(recording, submap, node);
-                })) {
+  if (!list.Add(DistanceCheck(gate, options), not_searched("too far apart to be searched.")) ||
+      !list.AddIfFailed(TurnCheck(recording, candidate),
+                        not_searched("the recording ends before its loops were searched.")) ||
+      !list.Add(SampledCheck(*candidate, options),
+                not_searched("the pair was near enough, but skipped by sampling_ratio."))) {
     return list.explanation();
   }
-  if (const auto window = WindowCheck(*candidate, gate)) list.Add(*window, "");
+  if (const auto window = WindowCheck(recording, *candidate, gate)) list.Add(*window, "");
   if (!list.Add(ScoreCheck(*candidate), "Not closed: nothing in the window matches well enough.") ||
       !list.Add(AmbiguityCheck(*candidate, options.ambiguity),
                 "Not closed: the scan fits at other places nearly as well.") ||

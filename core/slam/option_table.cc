@@ -11,6 +11,7 @@ using Rows = std::vector<OptionRow>;
 
 constexpr double kPi = 3.141592653589793;
 constexpr double kMaxLength = 1e3;  // [m]
+constexpr double kMaxWindow = 100;  // [m]
 constexpr double kMaxWeight = 1e9;
 constexpr double kMaxCount = 1e6;
 
@@ -180,7 +181,7 @@ Rows LocalSlamRows(LocalSlamOptions* o) {
 
 Rows FastCorrelativeScanMatcherRows(BranchAndBoundOptions* o) {
   return {
-      {"linear_search_window", &o->linear_search_window, 0, kMaxLength, "m",
+      {"linear_search_window", &o->linear_search_window, 0, kMaxWindow, "m",
        "W_x and W_y of eq. 8: how far from the guess a loop is searched."},
       {"angular_search_window", &o->angular_search_window, 0, kPi, "rad",
        "W_theta of eq. 8: how far a loop may be turned from the guess."},
@@ -264,7 +265,7 @@ Rows ConstraintBuilderRows(ConstraintBuilderOptions* o) {
        "Growth of the search window with the way gone since the submap. Not in Cartographer."},
       {"angular_search_window_per_meter", &o->angular_search_window_per_meter, 0, 1, "rad/m",
        "Growth of the window's angle with the way gone since the submap. Not in Cartographer."},
-      {"max_linear_search_window", &o->max_linear_search_window, 0, kMaxLength, "m",
+      {"max_linear_search_window", &o->max_linear_search_window, 0, kMaxWindow, "m",
        "Where the growth of the search window ends. Not in Cartographer."},
       {"search_window_growth_per_gap", &o->search_window_growth_per_gap, 0, 100, "1/m",
        "Share by which a metre of way counts more for each metre, up to one, between nodes."},

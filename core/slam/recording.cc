@@ -20,13 +20,16 @@ void Recording::Append(SlamUpdate update) {
   if (update.optimization) optimizations_.push_back(std::move(*update.optimization));
 }
 
+std::optional<int> Recording::FindCandidate(SubmapId submap, NodeId node,
+                                            int num_candidates) const {
+  for (int i = num_candidates - 1; i >= 0; --i) {
+    if (candidates_[i].submap == submap && candidates_[i].node == node) return i;
+  }
+  return std::nullopt;
+}
+
 std::optional<int> Recording::FindCandidate(SubmapId submap, NodeId node) const {
-  const auto found =
-      std::find_if(candidates_.rbegin(), candidates_.rend(), [&](const LoopCandidate& candidate) {
-        return candidate.submap == submap && candidate.node == node;
-      });
-  if (found == candidates_.rend()) return std::nullopt;
-  return static_cast<int>(candidates_.rend() - found) - 1;
+  return FindCandidate(submap, node, static_cast<int>(candidates_.size()));
 }
 
 }  // namespace loopscope

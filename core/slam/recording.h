@@ -42,6 +42,10 @@ struct Node {
   SubmapId
       first_submap;  ///< it went into the submaps first_submap ... first_submap + num_submaps - 1
   int num_submaps = 0;  ///< 1 or 2
+
+  bool LiesIn(SubmapId submap) const {
+    return submap.index >= first_submap.index && submap.index < first_submap.index + num_submaps;
+  }
 };
 
 struct Submap {
@@ -98,8 +102,10 @@ class Recording {
 
   /// In the order in which they were applied.
   const std::vector<LoopCandidate>& candidates() const { return candidates_; }
-  /// Index of the last candidate of a pair, which comes up again if it gets a second look; nothing
-  /// if it never did.
+  /// Index of the last candidate of a pair, which comes up again if it gets a second look, among
+  /// the first `num_candidates`; nothing if there is none.
+  std::optional<int> FindCandidate(SubmapId submap, NodeId node, int num_candidates) const;
+  /// Likewise, among all.
   std::optional<int> FindCandidate(SubmapId submap, NodeId node) const;
 
   const std::vector<Optimization>& optimizations() const { return optimizations_; }

@@ -35,15 +35,15 @@ Annotation Describe(const Recording& recording, const ChartData& data, int step)
   return annotation;
 }
 
-/// The candidates that are selected or marked.
-std::set<int> MarkedCandidates(const Recording& recording, const ViewRequest& request) {
+/// The candidates of `step` that are selected or marked.
+std::set<int> MarkedCandidates(const Recording& recording, int step, const ViewRequest& request) {
+  const int num_candidates = StateAfterStep(recording, step).num_candidates;
   std::vector<LoopPair> pairs = request.marked;
   if (request.node && request.submap) pairs.push_back({*request.node, *request.submap});
   std::set<int> candidates;
   for (const LoopPair& pair : pairs) {
-    if (const auto index = recording.FindCandidate(pair.submap, pair.node)) {
-      candidates.insert(*index);
-    }
+    const auto index = recording.FindCandidate(pair.submap, pair.node, num_candidates);
+    if (index) candidates.insert(*index);
   }
   return candidates;
 }
@@ -55,7 +55,7 @@ Scene BuildChartView(const Recording& recording, const ViewRequest& request, int
   const ChartData data = ChartOf(recording, request.chart, step);
   Sheet sheet(request, oversampling, Describe(recording, data, step),
               KeysOf({&data}, PaletteOf(request.theme)));
-  DrawChart(data, 0, sheet.OpenChart(0, {}), &sheet, MarkedCandidates(recording, request));
+  DrawChart(data, 0, sheet.OpenChart(0, {}), &sheet, MarkedCandidates(recording, step, request));
   return sheet.Finish();
 }
 

@@ -26,15 +26,17 @@ std::vector<Eigen::Vector2d> KnownArea(const PlacedGrid& placed) {
                           min + r * Eigen::Vector2d(box.width, box.height));
 }
 
-/// The link of a pair that was searched until `state`.
-std::optional<PlacedConstraint> LoopLink(const Recording& recording, const MapState& state,
-                                         const LoopPair& pair) {
-  const std::optional<int> index = recording.FindCandidate(pair.submap, pair.node);
-  if (!index || *index >= state.num_candidates) return std::nullopt;
-  const LoopCandidate& found = recording.candidates()[*index];
-  if (found.verdict == Verdict::kNotSampled) return std::nullopt;
+/// The pair if it was searched until `state`.
+const LoopCandidate* SearchedPair(const Recording& recording, const MapState& state,
+                                  const LoopPair& pair) {
+  const auto index = recording.FindCandidate(pair.submap, pair.node, state.num_candidates);
+  if (!index || recording.candidates()[*index].verdict == Verdict::kNotSampled) return nullptr;
+  return &recording.candidates()[*index];
+}
+
+PlacedConstraint LinkOf(const LoopCandidate& found, const MapState& state) {
   return PlaceConstraints(
-             {{pair.submap, pair.node, found.submap_from_node, 0.0, 0.0, Tag::kInterSubmap}},
+             {{found.submap, found.node, found.submap_from_node, 0.0, 0.0, Tag::kInterSubmap}},
              Tag::kInterSubmap, state)
       .front();
 }
@@ -43,9 +45,7 @@ std::optional<PlacedConstraint> LoopLink(const Recording& recording, const MapSt
 void FindLink(const Recording& recording, const MapState& state, Highlight* highlight) {
   const SubmapId submap = *highlight->submap;
   const NodeId node = *highlight->node;
-  const Node& record = recording.node(node);
-  if (submap.index >= record.first_submap.index &&
-      submap.index < record.first_submap.index + record.num_submaps) {
+  if (recording.node(node).LiesIn(submap)) {
     const Pose2 submap_from_node = SubmapFromNode(recording, submap, node);
     highlight->link =
         PlaceConstraints({{submap, node, submap_from_node, 0.0, 0.0, Tag::kIntraSubmap}},
@@ -54,14 +54,13 @@ void FindLink(const Recording& recording, const MapState& state, Highlight* high
     highlight->link_text = "INTRA, residual " + LengthText(highlight->link->residual());
     return;
   }
-  const std::optional<int> index = recording.FindCandidate(submap, node);
-  highlight->link = LoopLink(recording, state, {node, submap});
-  if (!highlight->link) return;
-  const LoopCandidate& found = recording.candidates()[*index];
-  const bool accepted = found.verdict == Verdict::kAccepted;
+  const LoopCandidate* const found = SearchedPair(recording, state, {node, submap});
+  if (found == nullptr) return;
+  highlight->link = LinkOf(*found, state);
+  const bool accepted = found->verdict == Verdict::kAccepted;
   highlight->link_text = fmt::format("{}, score {:.3f}, residual {}",
-                                     accepted ? "INTER" : "no loop: " + ToString(found.verdict),
-                                     found.score, LengthText(highlight->link->residual()));
+                                     accepted ? "INTER" : "no loop: " + ToString(found->verdict),
+                                     found->score, LengthText(highlight->link->residual()));
 }
 
 void AddLines(const Highlight& highlight, double ring_radius, const Color& color, Shapes* shapes) {
@@ -142,7 +141,8 @@ Highlight HighlightOf(const Recording& recording, const ViewRequest& request, co
   for (const LoopPair& pair : request.marked) {
     RequireNode(recording, pair.node);
     RequireSubmap(recording, pair.submap);
-    if (const auto link = LoopLink(recording, state, pair)) highlight.marked.push_back(*link);
+    const LoopCandidate* const found = SearchedPair(recording, state, pair);
+    if (found != nullptr) highlight.marked.push_back(LinkOf(*found, state));
   }
   return highlight;
 }

@@ -9,7 +9,9 @@
 namespace loopscope {
 namespace {
 
-std::string VerdictText(Verdict verdict) {
+std::string VerdictText(const SearchReplay& search) {
+  // The replay is the search alone: what other loops say of it is in the recording.
+  const Verdict verdict = search.recorded ? search.candidate.verdict : search.result.verdict;
   switch (verdict) {
     case Verdict::kTooFar:
       return "too far apart";
@@ -26,7 +28,7 @@ std::string VerdictText(Verdict verdict) {
     case Verdict::kAccepted:
       break;
   }
-  return "accepted";
+  return search.recorded ? "closed" : "matches";
 }
 
 double NumPoses(const SearchWindow& window) {
@@ -50,9 +52,7 @@ std::vector<Fact> MovesOf(const SearchReplay& search) {
 /// What came of the search.
 std::vector<Fact> OutcomeOf(const SearchReplay& search) {
   const LoopCandidate& result = search.result;
-  // The replay is the search alone: what other loops say of it is in the recording.
-  const Verdict verdict = search.recorded ? search.candidate.verdict : result.verdict;
-  std::vector<Fact> facts{{"verdict", VerdictText(verdict)},
+  std::vector<Fact> facts{{"verdict", VerdictText(search)},
                           {"best score", fmt::format("{:.3f}", result.score)},
                           {"no pose above", fmt::format("{:.3f}", result.score_bound)},
                           {"min_score", fmt::format("{:.3f}", result.min_score)}};

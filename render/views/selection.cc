@@ -102,10 +102,10 @@ SubmapId SubmapOf(const Recording& recording, const ViewRequest& request) {
 SubmapId SubmapOfNode(const Recording& recording, const ViewRequest& request, NodeId node) {
   const Node& record = recording.node(node);
   if (!request.submap) return record.first_submap;
-  const int last = record.first_submap.index + record.num_submaps - 1;
-  if (request.submap->index < record.first_submap.index || request.submap->index > last) {
+  if (!record.LiesIn(*request.submap)) {
     Refuse(fmt::format("node {} is not in submap {}: expected one of submaps {} to {}", node.index,
-                       request.submap->index, record.first_submap.index, last));
+                       request.submap->index, record.first_submap.index,
+                       record.first_submap.index + record.num_submaps - 1));
   }
   return *request.submap;
 }

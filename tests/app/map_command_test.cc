@@ -42,7 +42,7 @@ TEST(MapCommand, EndsWhereOdometryJumpsFartherThanAGridCan) {
   const TemporaryFolder folder;
   folder.Write("a.log", OfficeExcerpt(40));
   ScanLog log = ReadCarmenLog(folder.Path("a.log"));
-  JumpOdometry(20, Pose2(5000.0, 5000.0, 0.0), &log);
+  JumpOdometry(20, Pose2(700.0, 700.0, 0.0), &log);
   WriteCarmenLog(folder.Path("jump.log"), log);
   const ProgramRun run = RunLoopscope(folder, "map jump.log -o a.loopscope --preset cartographer");
   EXPECT_EQ(run.exit_code, 2);

@@ -35,6 +35,7 @@ class SmallRun {
 
  private:
   double Any() { return std::uniform_real_distribution<>(-10.0, 10.0)(random_); }
+  double Share() { return 0.05 * (Any() + 10.0); }
   Pose2 AnyPose() { return Pose2(Any(), Any(), Any() / 4.0); }
 
   void AddScan(int scan) {
@@ -118,7 +119,7 @@ class SmallRun {
     optimization.num_iterations = step;
     optimization.initial_cost = Any();
     optimization.final_cost = Any();
-    optimization.drift_share = {Any(), Any()};
+    optimization.drift_share = {Share(), Share()};
     return optimization;
   }
 

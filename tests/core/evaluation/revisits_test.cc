@@ -34,6 +34,18 @@ TEST(Revisits, ArePairsOfSubmapsOfTheSamePlace) {
   EXPECT_EQ(revisits[1].second_node.index, 23 - revisits[1].first_node.index);
 }
 
+TEST(Revisits, AreFoundInTheCoordinatesOfACountry) {
+  Trajectory reference = LineReference();
+  for (TimedPose& pose : reference) pose.map_from_base = Pose2(5e6, 5e9, 0.0) * pose.map_from_base;
+  EXPECT_EQ(SubmapsOf(RevisitsOfLine(reference, kSamePlace)), (Pairs{{0, 5}, {1, 4}, {2, 3}}));
+}
+
+TEST(Revisits, AreNoneWhereTheReferenceIsNowhere) {
+  Trajectory reference = LineReference();
+  for (int i = 12; i < 24; ++i) reference[i].map_from_base = Pose2(1e15, 0.0, 0.0);
+  EXPECT_TRUE(RevisitsOfLine(reference, kSamePlace).empty());
+}
+
 TEST(Revisits, NeedAWayInBetween) {
   // From node 8 to node 15 the robot goes 3 m there and 3 m back.
   EXPECT_EQ(SubmapsOf(RevisitsOfLine(LineReference(), {0.5, 6.5, 0.5})), (Pairs{{0, 5}, {1, 4}}));

@@ -67,9 +67,13 @@ TEST(TrajectoryError, LeavesOutWhatTheEstimateDoesNotCover) {
   EXPECT_FALSE(EvaluateTrajectory(kReference, {}));
 }
 
-TEST(TrajectoryError, OfARobotThatStoodStillHasNoTurn) {
-  const Trajectory still = {{1.0, Pose2(1.0, 1.0, 0.5)}, {2.0, Pose2(1.0, 1.0, 0.5)}};
+TEST(TrajectoryError, OfARobotThatStoodStillIsAlignedByHeadings) {
+  const Trajectory still = {{1.0, Pose2(1.0, 1.0, 3.0)}, {2.0, Pose2(1.0, 1.0, 3.1)}};
   EXPECT_EQ(EvaluateTrajectory(still, still)->reference_from_map, Pose2());
+  const Trajectory shaking = {{1.0, Pose2(2.0, 1.0, -2.9)}, {2.0, Pose2(2.0, 1.000001, -2.8)}};
+  const auto error = EvaluateTrajectory(still, shaking);
+  EXPECT_NEAR(error->reference_from_map.rotation, 5.9 - 2.0 * M_PI, 1e-9);
+  EXPECT_NEAR(error->translation.max, 0.0, 1e-5);
 }
 
 }  // namespace

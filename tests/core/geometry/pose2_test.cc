@@ -125,6 +125,16 @@ TEST(Interpolate, TurnsTheShorterWay) {
   EXPECT_NEAR(Interpolate(b, a, 0.25).rotation, DegreesToRadians(-160.0), 1e-12);
 }
 
+TEST(IsInMap, WithinAThousandKilometres) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(IsInMap(Pose2(1e6, -1e6, 3.0)));
+  EXPECT_FALSE(IsInMap(Pose2(1.1e6, 0.0, 0.0)));
+  EXPECT_FALSE(IsInMap(Pose2(0.0, -1.1e6, 0.0)));
+  EXPECT_FALSE(IsInMap(Pose2(kNan, 0.0, 0.0)));
+  EXPECT_FALSE(IsInMap(Pose2(0.0, kNan, 0.0)));
+  EXPECT_FALSE(IsInMap(Pose2(0.0, 0.0, kNan)));
+}
+
 TEST(Rounded, KeepsSixDecimals) {
   EXPECT_EQ(Rounded(0.55), 0.55);
   EXPECT_EQ(Rounded(-1.0000004), -1.0);

@@ -26,6 +26,12 @@ TEST(DriftShareOf, IsOfTheWayFromTheGuessToTheLoop) {
   EXPECT_NEAR(share.angular, 0.25, 1e-12);
 }
 
+TEST(DriftShareOf, IsAllOfAWindowThatIsNone) {
+  const DriftShare share = DriftShareOf(Pose2(), Pose2(0.1, 0.0, 0.1), LoopGate());
+  EXPECT_EQ(share.linear, 1.0);
+  EXPECT_EQ(share.angular, 1.0);
+}
+
 TEST(PredictDriftShare, IsThreeTimesWhatLoopsTook) {
   const DriftShare share = PredictDriftShare(Loops(30), Options());
   EXPECT_NEAR(share.linear, 0.3, 1e-12);

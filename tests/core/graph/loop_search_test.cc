@@ -125,6 +125,30 @@ TEST_F(LoopSearchInARoom, RefusesAWinnerAtTheBorderOnlyIfAsked) {
   EXPECT_EQ(search().verdict, Verdict::kAccepted);
 }
 
+TEST(IsAtBorder, InTheOutermostCellsOnly) {
+  constexpr double kResolution = 0.05;
+  LoopCandidate found;
+  const auto is_at_border = [&](double window, int num_cells) {
+    found.linear_search_window = window;
+    found.submap_from_node_searched = Pose2(
+        found.submap_from_node_guess.translation - Eigen::Vector2d(0.0, kResolution * num_cells),
+        0.0);
+    return IsAtBorder(Rounded(found), kResolution);
+  };
+  for (const double guess : {0.0, 0.123457, -7.000001, 1234.567891}) {
+    found.submap_from_node_guess = Pose2(guess, -guess, 0.3);
+    for (const int num_cells : {1, 3, 7, 20, 22, 140}) {
+      const double window = kResolution * num_cells;
+      EXPECT_TRUE(is_at_border(window, num_cells)) << guess << " " << num_cells;
+      EXPECT_FALSE(is_at_border(window, num_cells - 1)) << guess << " " << num_cells;
+      EXPECT_TRUE(is_at_border(window - 0.02, num_cells)) << "the search takes whole cells";
+      EXPECT_FALSE(is_at_border(window - 0.02, num_cells - 1));
+    }
+  }
+  found.whole_submap = true;
+  EXPECT_FALSE(is_at_border(1.0, 20));
+}
+
 /// Considers 3 submaps x 8 nodes, seen from different places, in an order of submap and node that
 /// is not that of the result.
 std::vector<LoopCandidate> SearchMany(const SimulatedRoom& room, int num_threads,

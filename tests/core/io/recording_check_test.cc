@@ -53,7 +53,7 @@ TEST(RecordingCheck, NamesWhatIsWrongWithAStep) {
       {"a loop from a later step", [](auto* u) { u->candidates[0].considered_step = 25; }},
       {"before its node or submap", [](auto* u) { u->candidates[0].considered_step = 0; }},
       {"search window", [](auto* u) { u->candidates[1].linear_search_window = kNan; }},
-      {"search window", [](auto* u) { u->candidates[1].linear_search_window = 1e9; }},
+      {"search window", [](auto* u) { u->candidates[1].linear_search_window = 30.1; }},
       {"search window", [](auto* u) { u->candidates[1].angular_search_window = -0.1; }},
       {"score is not finite", [](auto* u) { u->candidates[1].rival_score = kNan; }},
       {"pose is nowhere", [](auto* u) { u->candidates[1].submap_from_node.rotation = kNan; }},
@@ -66,7 +66,8 @@ TEST(RecordingCheck, NamesWhatIsWrongWithAStep) {
        [](auto* u) { u->optimization->global_from_submap[0].translation.x() = 1e200; }},
       {"cost makes no sense", [](auto* u) { u->optimization->final_cost = 1e308; }},
       {"cost makes no sense", [](auto* u) { u->optimization->initial_cost = kNan; }},
-      {"drift that is not finite", [](auto* u) { u->optimization->drift_share.angular = kNan; }},
+      {"share of windows", [](auto* u) { u->optimization->drift_share.angular = kNan; }},
+      {"share of windows", [](auto* u) { u->optimization->drift_share.linear = 1.1; }},
   };
   for (const auto& [expected, spoil] : faults) {
     RunUntil run;

@@ -179,6 +179,34 @@ TEST(RecordingFile, LeavesOtherFilesAlone) {
   EXPECT_THAT(MessageOf([&] { Write(folder.Path(""), SmallRun(3)); }), HasSubstr("no recording"));
 }
 
+TEST(RecordingFile, RemovesAJournalThatItsRecordingLeft) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Path("a.loopscope");
+  folder.Write("a.loopscope-journal", "of a recording that was removed");
+  Write(path, SmallRun(3));
+  EXPECT_EQ(ReadRecording(path).num_steps(), 3);
+  EXPECT_THAT(FilesIn(folder.Path("")), testing::ElementsAre("a.loopscope"));
+}
+
+TEST(RecordingFile, IsNotReplacedWhileItIsWritten) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Path("a.loopscope");
+  const SmallRun run(3);
+  const auto make_writer = [&] {
+    return std::make_unique<RecordingWriter>(path, run.log(), CartographerPreset());
+  };
+  auto writer = make_writer();
+  writer->Append(run.updates()[0]);
+  EXPECT_EQ(MessageOf([&] { make_writer(); }),
+            path + ": is being written by another run; expected it to end first");
+  writer->Append(run.updates()[1]);
+  EXPECT_EQ(ReadRecording(path).num_steps(), 2);
+  EXPECT_THAT(FilesIn(folder.Path("")), testing::ElementsAre("a.loopscope"));
+  writer.reset();
+  writer = make_writer();
+  EXPECT_EQ(ReadRecording(path).num_steps(), 0);
+}
+
 TEST(RecordingFile, ThrowsOneLineWhereThereIsNoFolder) {
   const TemporaryFolder folder;
   EXPECT_EQ(MessageOf([&] { Write(folder.Path("none/a.loopscope"), SmallRun(3)); }),

@@ -103,6 +103,38 @@ TEST(LocalSlam, RecoversFromAnOdometryJumpOf85Degrees) {
   }
 }
 
+TEST(LocalSlam, GoesOnWhereOdometryLeaps) {
+  const Simulation simulation = FirstScans(kJumpScan + 20);
+  for (const double leap : {2e8, 1e300}) {
+    ScanLog log = simulation.log;
+    JumpOdometry(kJumpScan, Pose2(leap, 0.0, 0.0), &log);
+    const auto results = AddAllScans(log, SmallLoopOptions().trajectory_builder_2d);
+    EXPECT_FALSE(results[kJumpScan].odom_from_base);
+    EXPECT_THAT(
+        Motion(results, kJumpScan - 1, kJumpScan),
+        PoseNear(TrueMotion(simulation, kJumpScan - 1, kJumpScan), 0.1, DegreesToRadians(2.0)));
+  }
+}
+
+TEST(LocalSlam, EndsWhereNoMapReaches) {
+  ScanLog log = FirstScans(1).log;
+  const LaserScan first = log.scans[0];
+  for (int i = 0; i < 1200; ++i) {
+    log.scans.push_back(first);
+    log.scans.back().ranges.assign(first.ranges.size(), std::numeric_limits<float>::infinity());
+    log.odometry.resize(first.num_odometry_before + i);
+    log.odometry.push_back({first.time, Pose2(900.0 * (i + 1), 0.0, 0.0)});
+    log.scans.back().num_odometry_before = static_cast<int>(log.odometry.size());
+  }
+  LocalSlam slam(log, SmallLoopOptions().trajectory_builder_2d);
+  int scan = 0;
+  const auto add_all = [&] {
+    for (; scan < static_cast<int>(log.scans.size()); ++scan) slam.AddScan(scan);
+  };
+  EXPECT_THROW(add_all(), std::length_error);
+  EXPECT_NEAR(scan, 1111, 3) << "1000 km";
+}
+
 TEST(LocalSlam, GoesOnWhereOdometryHangs) {
   constexpr int kNumScans = 20;
   const Simulation simulation = FirstScans(kJumpScan + kNumScans);

@@ -120,13 +120,15 @@ TEST(PoseExtrapolator, StaysAfterTwoPosesOfTheSameTime) {
   EXPECT_EQ(extrapolator.Predict(12.0, kNoOdometry), kStart);
 }
 
-TEST(PoseExtrapolator, HasOdometryIfTheLastPoseHad) {
+TEST(PoseExtrapolator, TakesAMotionAsMeasuredThatHasOdometryAtBothEnds) {
   PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);
-  EXPECT_FALSE(extrapolator.HasOdometry());
-  extrapolator.AddPose(10.0, kStart, Pose2(-4.0, 1.0, 2.5), kKnown);
-  EXPECT_TRUE(extrapolator.HasOdometry());
+  const Pose2 odom_from_base(-4.0, 1.0, 2.5);
+  EXPECT_FALSE(extrapolator.MotionIsMeasured(odom_from_base)) << "it begins somewhere";
+  extrapolator.AddPose(10.0, kStart, odom_from_base, kKnown);
+  EXPECT_TRUE(extrapolator.MotionIsMeasured(odom_from_base));
+  EXPECT_FALSE(extrapolator.MotionIsMeasured(kNoOdometry));
   extrapolator.AddPose(11.0, kStart, kNoOdometry, kKnown);
-  EXPECT_FALSE(extrapolator.HasOdometry());
+  EXPECT_FALSE(extrapolator.MotionIsMeasured(odom_from_base));
 }
 
 TEST(PoseExtrapolator, TellsMotionsThatOdometryHardlyEverMeasures) {

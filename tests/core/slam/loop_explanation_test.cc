@@ -120,6 +120,64 @@ TEST(ExplainLoop, TellsWhatAPairThatWasNotSampledWouldHaveScored) {
   EXPECT_THAT(explanation.answer, HasSubstr("it scores 0."));
 }
 
+/// As if the user had stopped the mapping after so many scans.
+Recording StoppedAfter(const Recording& recording, int num_scans) {
+  Recording stopped(recording.log(), recording.options());
+  Slam slam(stopped.log(), stopped.options(), 1);
+  for (int scan = 0; scan < num_scans; ++scan) stopped.Append(slam.AddScan(scan));
+  return stopped;
+}
+
+TEST(ExplainLoop, SaysThatTheRecordingEndedTooEarly) {
+  const LoopCandidate& loop = FirstWith(SmallLoop(), Verdict::kAccepted);
+  ASSERT_LT(loop.considered_step, loop.applied_step);
+  const Recording recording = StoppedAfter(SmallLoop(), loop.applied_step);
+  const LoopExplanation explanation = ExplainLoop(recording, loop.submap, loop.node);
+  EXPECT_FALSE(explanation.closed);
+  EXPECT_THAT(explanation.answer, HasSubstr("recording ends"));
+  EXPECT_THAT(explanation.answer, HasSubstr("it scores 0."));
+}
+
+TEST(ExplainLoop, SaysThatNoLoopsWereSearched) {
+  Options options = SmallLoopOptions();
+  options.pose_graph.optimize_every_n_nodes = 0;
+  const Recording recording = MapLog(SimulateSmallLoop().log, options);
+  const LoopCandidate& loop = FirstWith(SmallLoop(), Verdict::kAccepted);
+  const LoopExplanation explanation = ExplainLoop(recording, loop.submap, loop.node);
+  EXPECT_THAT(explanation.answer, HasSubstr("not searched at all"));
+  EXPECT_EQ(explanation.checks.back().what, "optimize_every_n_nodes");
+}
+
+TEST(ExplainLoop, SaysThatTheNodeHasNoPoints) {
+  Options options = SmallLoopOptions();
+  options.trajectory_builder_2d.loop_closure_adaptive_voxel_filter.max_range = 0.1;
+  const Recording blind = MapLog(SimulateSmallLoop().log, options);
+  const LoopCandidate& loop = FirstWith(SmallLoop(), Verdict::kAccepted);
+  const LoopExplanation explanation = ExplainLoop(blind, loop.submap, loop.node);
+  EXPECT_THAT(explanation.answer, HasSubstr("nothing to match"));
+  EXPECT_EQ(explanation.checks.back().value, "0");
+}
+
+TEST(ExplainLoop, SaysThatTheSearchWasToCheckALoneLoop) {
+  Options options = SmallLoopOptions();
+  options.pose_graph.constraint_builder.sampling_ratio = 0.05;
+  options.pose_graph.constraint_builder.second_look.num_nodes = 0;
+  options.pose_graph.constraint_builder.last_look.num_nodes = 0;
+  const Recording recording = MapLog(SimulateSmallLoop().log, options);
+  int num_checks = 0;
+  for (const LoopCandidate& pair : recording.candidates()) {
+    if (pair.verdict == Verdict::kNotSampled) continue;
+    const Pose2 guess = ConsiderPair(recording, pair.submap, pair.node).submap_from_node_guess;
+    bool says_so = false;
+    for (const LoopCheck& check : ExplainLoop(recording, pair.submap, pair.node).checks) {
+      says_so = says_so || check.value.find("to check that") != std::string::npos;
+    }
+    EXPECT_EQ(says_so, guess != pair.submap_from_node_guess);
+    num_checks += says_so ? 1 : 0;
+  }
+  EXPECT_GT(num_checks, 0);
+}
+
 TEST(ExplainLoop, SaysThatANodeOfTheSubmapItselfIsNoLoop) {
   const LoopExplanation explanation = ExplainLoop(SmallLoop(), SubmapId{0}, NodeId{3});
   EXPECT_FALSE(explanation.closed);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -69,6 +70,24 @@ TEST(HighlightOfTest, LeavesOutWhatDoesNotExistYet) {
 TEST(HighlightOfTest, RefusesWhatTheRecordingDoesNotHave) {
   EXPECT_THAT(MessageOf([] { Select(9999, -1); }), StartsWith("no node 9999: expected 0 to "));
   EXPECT_THAT(MessageOf([] { Select(-1, 9999); }), StartsWith("no submap 9999: expected 0 to "));
+}
+
+TEST(HighlightOfTest, LinksAPairThatIsSearchedTwiceByTheSearchUntilTheStep) {
+  const auto& candidates = SmallLoop().candidates();
+  const auto first = std::find_if(candidates.begin(), candidates.end(), [&](const auto& c) {
+    const auto last = SmallLoop().FindCandidate(c.submap, c.node);
+    return c.verdict != Verdict::kNotSampled && &candidates[*last] != &c;
+  });
+  ASSERT_NE(first, candidates.end());
+  const int last = *SmallLoop().FindCandidate(first->submap, first->node);
+  const auto text_of = [](const LoopCandidate& c) { return fmt::format("score {:.3f}", c.score); };
+  ASSERT_NE(text_of(*first), text_of(candidates[last]));
+  const auto link_text_at = [&](int step) {
+    return Select(first->node.index, first->submap.index, step).link_text;
+  };
+  EXPECT_EQ(link_text_at(first->applied_step - 1), "");
+  EXPECT_THAT(link_text_at(first->applied_step), HasSubstr(text_of(*first)));
+  EXPECT_THAT(link_text_at(candidates[last].applied_step), HasSubstr(text_of(candidates[last])));
 }
 
 TEST(HighlightOfTest, LinksANodeToItsOwnSubmapByIntra) {

@@ -13,7 +13,12 @@ namespace loopscope {
 /// `max_changed_share` of what the scanner sees changed.
 bool OdometryHangs(const ScanLog& log, int scan, double max_changed_share);
 
-/// odom_from_base at scan `scan`, if odometry is used, there is any, and it does not hang.
+/// Whether odometry measured a motion since the scan before that no robot makes from one scan to
+/// the next: 1 km or more, or none that is a number.
+bool OdometryLeaps(const ScanLog& log, int scan);
+
+/// odom_from_base at scan `scan`, if odometry is used, there is any, and it neither hangs nor
+/// leaps.
 std::optional<Pose2> UsedOdometry(const ScanLog& log, int scan, const LocalSlamOptions& options);
 
 }  // namespace loopscope

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/local/hanging_odometry.h"
+#include "core/local/used_odometry.h"
 
 #include "core/local/changed_ranges.h"
 
@@ -14,10 +14,21 @@ bool OdometryHangs(const ScanLog& log, int scan, double max_changed_share) {
          ShareOfChangedRanges(log.scans[scan - 1], log.scans[scan]) > max_changed_share;
 }
 
+bool OdometryLeaps(const ScanLog& log, int scan) {
+  constexpr double kFarthest = 1e3;  // [m]
+  if (scan == 0) return false;
+  const auto before = OdometryOfScan(log, scan - 1);
+  const auto now = OdometryOfScan(log, scan);
+  return before && now &&
+         !((now->odom_from_base.translation - before->odom_from_base.translation).norm() <
+           kFarthest);
+}
+
 std::optional<Pose2> UsedOdometry(const ScanLog& log, int scan, const LocalSlamOptions& options) {
   if (!options.use_odometry) return std::nullopt;
   const auto reading = OdometryOfScan(log, scan);
-  if (!reading || OdometryHangs(log, scan, options.max_changed_share_at_standstill)) {
+  if (!reading || OdometryLeaps(log, scan) ||
+      OdometryHangs(log, scan, options.max_changed_share_at_standstill)) {
     return std::nullopt;
   }
   return reading->odom_from_base;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/local/hanging_odometry.h"
+#include "core/local/used_odometry.h"
 
 #include <gtest/gtest.h>
 
@@ -40,6 +40,25 @@ TEST_F(OdometryHanging, IsNoneWhereItMeasuredAMotion) {
 TEST_F(OdometryHanging, IsNoneWhereThereIsNone) {
   log_.scans[0].num_odometry_before = 0;
   EXPECT_FALSE(OdometryHangs(log_, 1, 0.5));
+}
+
+TEST(OdometryLeaps, ByAKilometreOrMore) {
+  ScanLog log;
+  log.odometry = {{0.0, Pose2(5e6, 2.0, 3.0)}, {1.0, Pose2()}};
+  log.scans = {ScanOf(40, 2.0F), ScanOf(40, 2.0F)};
+  log.scans[0].num_odometry_before = 1;
+  log.scans[1].num_odometry_before = 2;
+  const auto leaps_to = [&](double x) {
+    log.odometry[1].odom_from_base = Pose2(x, 2.0, 1.0);
+    EXPECT_EQ(UsedOdometry(log, 1, {}).has_value(), !OdometryLeaps(log, 1));
+    return OdometryLeaps(log, 1);
+  };
+  EXPECT_FALSE(leaps_to(5e6 + 900.0)) << "a map may be far from where odometry begins";
+  EXPECT_TRUE(leaps_to(5e6 + 1100.0));
+  EXPECT_TRUE(leaps_to(1e308));
+  EXPECT_FALSE(OdometryLeaps(log, 0)) << "there is none before";
+  log.scans[0].num_odometry_before = 0;
+  EXPECT_FALSE(OdometryLeaps(log, 1));
 }
 
 }  // namespace
