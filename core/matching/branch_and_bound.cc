@@ -25,6 +25,9 @@ namespace {
 constexpr int kHeightsPerBranch = 3;
 static_assert(1 << kHeightsPerBranch == kBlocksPerSide);
 
+/// Start nodes that a search branches before it refines the others: most searches end before.
+constexpr int kNumBranchedBeforeRefining = 20;
+
 /// Offsets of a window that are not of interest.
 struct Disc {
   Eigen::Vector2d center;  ///< [cells]
@@ -57,7 +60,7 @@ class Search {
   SearchOutcome Run(double min_score) {
     SetMinScore(min_score);
     MakeSectors();
-    while (const std::optional<SearchBlock> block = NextStartBlock()) Branch(*block);
+    while (const std::optional<SearchBlock> block = NextStartBlock(nullptr)) Branch(*block);
     if (trace_ != nullptr) PruneRest();
     if (!winner_) {
       OpenSectorsDownTo(pruned_sum_);
@@ -72,7 +75,7 @@ class Search {
   std::optional<SearchResult> RunOutside(const Disc& excluded, double min_score) {
     SetMinScore(min_score);
     MakeSectors();
-    while (const std::optional<SearchBlock> block = NextStartBlock()) {
+    while (const std::optional<SearchBlock> block = NextStartBlock(&excluded)) {
       const std::optional<SearchBlock> found = FirstLeafOutside({*block}, excluded);
       if (found) return ResultOf(*found);
     }
@@ -89,14 +92,33 @@ class Search {
     sectors_.emplace(grids_, window_, scan_, start_height_, with_bounds);
   }
 
-  /// The start node with the highest bound, if that beats the best score.
-  std::optional<SearchBlock> NextStartBlock() {
+  /// The start node with the highest bound that is not excluded, if that beats the best score.
+  std::optional<SearchBlock> NextStartBlock(const Disc* excluded) {
     const int min_bound = best_sum_ + 1;
-    OpenSectorsDownTo(queue_.empty() ? min_bound : std::max(min_bound, queue_.top().sum));
-    if (queue_.empty()) return std::nullopt;
-    if (queue_.top().sum >= min_bound) return queue_.Pop();
+    while (true) {
+      OpenSectorsDownTo(queue_.empty() ? min_bound : std::max(min_bound, queue_.top().sum));
+      if (queue_.empty()) return std::nullopt;
+      if (queue_.top().sum < min_bound) break;
+      if (excluded != nullptr && excluded->Holds(queue_.top())) {
+        queue_.Pop();
+      } else if (start_height_ == 0 || num_branched_ < kNumBranchedBeforeRefining ||
+                 queue_.TopIsRefined()) {
+        ++num_branched_;
+        return queue_.Pop();
+      } else {
+        RefineTop();
+      }
+    }
     pruned_sum_ = std::max(pruned_sum_, queue_.top().sum);
     return std::nullopt;
+  }
+
+  /// Lowers the bounds of the best start node and of those beside it, which costs as much as to go
+  /// down to the leaves of one, but saves that of most.
+  void RefineTop() {
+    const PrecomputedGrid& grid = grids_.at_height(start_height_ - StartQueue::kHeightsDownToParts);
+    queue_.RefineTop(
+        SumBlocks(grid, CellsAt(queue_.top().angle_index), num_points_, queue_.GroupOfTop()));
   }
 
   /// Gives those start nodes bounds of their own that are in sectors with at least `min_bound`, and
@@ -111,19 +133,30 @@ class Search {
   }
 
   void AddStartNodes(const Sector& sector, int angle_index) {
+    SearchSquare square = ScoredSquare(sector.first, sector.last, angle_index, start_height_);
     if (trace_ != nullptr) {
-      std::vector<SearchBlock> blocks;
-      ScoreSquare(sector.first, sector.last, angle_index, start_height_, -1, &blocks);
-      for (const SearchBlock& block : blocks) queue_.Push(block);
-      return;
+      constexpr int kNoParent = -1;
+      square.first_trace_index = AddToTrace(square, kNoParent);
     }
-    const SearchSquare square = ScoredSquare(sector.first, sector.last, angle_index, start_height_);
     const int max_sum = square.MaxSum();
     if (max_sum <= best_sum_) pruned_sum_ = std::max(pruned_sum_, max_sum);
-    if (max_sum <= best_sum_ && max_sum < best_start_.sum) return;
+    if (trace_ == nullptr && max_sum <= best_sum_ && max_sum < best_start_.sum) return;
     const SearchBlock best = square.Best(max_sum);
     best_start_ = std::max(best_start_, best);
-    if (max_sum > best_sum_) queue_.Push(square, best);
+    if (trace_ != nullptr || max_sum > best_sum_) queue_.Push(square, best);
+  }
+
+  /// Returns the index of the first of the square.
+  int AddToTrace(const SearchSquare& square, int parent) {
+    const int first = static_cast<int>(trace_->nodes.size());
+    for (int row = 0; row < square.num_rows; ++row) {
+      for (int column = 0; column < square.num_columns; ++column) {
+        const SearchBlock block = square.BlockAt(row, column);
+        trace_->nodes.push_back({parent, block.height, block.offset, block.angle_index,
+                                 ScoreOf(block.sum), 0.0, SearchFate::kPruned});
+      }
+    }
+    return first;
   }
 
   /// Where bounds begin to tell places apart. Higher ones are nearly always as high as can be.
@@ -181,7 +214,8 @@ class Search {
   /// for a trace, those that do not beat the best score are left out.
   void ScoreSquare(CellIndex first, CellIndex last, int angle_index, int height, int parent,
                    std::vector<SearchBlock>* blocks) {
-    const SearchSquare square = ScoredSquare(first, last, angle_index, height);
+    SearchSquare square = ScoredSquare(first, last, angle_index, height);
+    if (trace_ != nullptr) square.first_trace_index = AddToTrace(square, parent);
     const int max_sum = square.MaxSum();
     if (trace_ == nullptr && max_sum <= best_sum_) {
       pruned_sum_ = std::max(pruned_sum_, max_sum);
@@ -189,7 +223,7 @@ class Search {
     }
     for (int row = 0; row < square.num_rows; ++row) {
       for (int column = 0; column < square.num_columns; ++column) {
-        Add(square.BlockAt(row, column), parent, blocks);
+        Add(square.BlockAt(row, column), blocks);
       }
     }
   }
@@ -222,14 +256,8 @@ class Search {
     return cells;
   }
 
-  void Add(SearchBlock block, int parent, std::vector<SearchBlock>* blocks) {
+  void Add(const SearchBlock& block, std::vector<SearchBlock>* blocks) {
     if (block.sum <= best_sum_) pruned_sum_ = std::max(pruned_sum_, block.sum);
-    if (block.height == start_height_ && best_start_ < block) best_start_ = block;
-    if (trace_ != nullptr) {
-      block.trace_index = static_cast<int>(trace_->nodes.size());
-      trace_->nodes.push_back({parent, block.height, block.offset, block.angle_index,
-                               ScoreOf(block.sum), 0.0, SearchFate::kPruned});
-    }
     if (trace_ != nullptr || block.sum > best_sum_) blocks->push_back(block);
   }
 
@@ -247,6 +275,7 @@ class Search {
     if (trace_ == nullptr) return;
     SearchNode& node = trace_->nodes[block.trace_index];
     node.fate = fate;
+    node.bound = ScoreOf(block.sum);  // if it was refined
     node.best_before = best_score_;
     trace_->visits.push_back(block.trace_index);
   }
@@ -281,7 +310,8 @@ class Search {
   SearchBlock best_start_{{}, 0, 0, -1, -1};  ///< the start node with the highest bound
   int best_sum_ = -1;
   double best_score_ = 0.0;
-  int pruned_sum_ = 0;  ///< the highest bound that was not followed
+  int num_branched_ = 0;  ///< start nodes
+  int pruned_sum_ = 0;    ///< the highest bound that was not followed
   std::optional<SearchBlock> winner_;
 };
 

@@ -33,7 +33,7 @@ struct SearchNode {
   int height = 0;            ///< c_h; 0 is a single pose, whose bound is its score
   CellIndex offset;          ///< lower corner (c_x, c_y) of the block [cells] relative to the guess
   int angle_index = 0;       ///< c_theta, in [-num_angular_steps, num_angular_steps]
-  double bound = 0.0;        ///< in [kMinProbability, kMaxProbability]
+  double bound = 0.0;        ///< in [kMinProbability, kMaxProbability]; see StartQueue::RefineTop
   double best_before = 0.0;  ///< the best score when its fate was decided
   SearchFate fate = SearchFate::kPruned;
 };

@@ -2,7 +2,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/matching/start_queue.h"
 
+#include <algorithm>
+
 namespace loopscope {
+namespace {
+
+constexpr int kPartsPerSide = 1 << StartQueue::kHeightsDownToParts;
+static_assert(2 * kPartsPerSide == kBlocksPerSide, "a group has as many parts as a square blocks");
+
+/// Of those that make up a block, from `first` on.
+std::int32_t HighestOf(const BlockSums& parts, int first) {
+  std::int32_t highest = 0;
+  for (int row = 0; row < kPartsPerSide; ++row) {
+    const auto begin = parts.begin() + first + row * kBlocksPerSide;
+    highest = std::max(highest, *std::max_element(begin, begin + kPartsPerSide));
+  }
+  return highest;
+}
+
+}  // namespace
 
 SearchBlock SearchSquare::Best(int max_sum) const {
   int place = 0;  // of equals the first, which operator< has for the greatest
@@ -18,14 +36,48 @@ void StartQueue::Push(const SearchSquare& square, const SearchBlock& best) {
 SearchBlock StartQueue::Pop() {
   const Entry next = entries_.top();
   entries_.pop();
-  if (next.square == kNoSquare) return next.block;
   SearchSquare& square = squares_[next.square];
-  const int column = (next.block.offset.x - square.first.x) >> square.height;
-  const int row = (next.block.offset.y - square.first.y) >> square.height;
-  square.sums[row * kBlocksPerSide + column] = kTaken;
-  const int max_sum = square.MaxSum();
-  if (max_sum != kTaken) entries_.push({square.Best(max_sum), next.square});
+  square.sums[PlaceOf(next.block, square)] = kTaken;
+  PushBest(next.square);
   return next.block;
+}
+
+bool StartQueue::TopIsRefined() const {
+  const SearchSquare& square = squares_[entries_.top().square];
+  return (square.is_refined >> PlaceOf(top(), square) & 1) != 0;
+}
+
+CellIndex StartQueue::GroupOfTop() const {
+  const SearchSquare& square = squares_[entries_.top().square];
+  const int of_group = 2 << square.height;
+  const CellIndex offset = top().offset;
+  return {offset.x - (offset.x - square.first.x) % of_group,
+          offset.y - (offset.y - square.first.y) % of_group};
+}
+
+void StartQueue::RefineTop(const BlockSums& parts) {
+  const int index = entries_.top().square;
+  SearchSquare& square = squares_[index];
+  const int group = PlaceOf({GroupOfTop(), 0, 0, 0, 0}, square);
+  entries_.pop();
+  for (const int in_group : {0, 1, kBlocksPerSide, kBlocksPerSide + 1}) {
+    const int place = group + in_group;
+    if (place >= static_cast<int>(square.sums.size()) || square.sums[place] == kTaken) continue;
+    square.sums[place] = HighestOf(parts, kPartsPerSide * in_group);
+    square.is_refined |= std::uint64_t{1} << place;
+  }
+  PushBest(index);
+}
+
+int StartQueue::PlaceOf(const SearchBlock& block, const SearchSquare& square) {
+  const int column = (block.offset.x - square.first.x) >> square.height;
+  const int row = (block.offset.y - square.first.y) >> square.height;
+  return row * kBlocksPerSide + column;
+}
+
+void StartQueue::PushBest(int square) {
+  const int max_sum = squares_[square].MaxSum();
+  if (max_sum != kTaken) entries_.push({squares_[square].Best(max_sum), square});
 }
 
 }  // namespace loopscope

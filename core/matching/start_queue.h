@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <queue>
 #include <vector>
 
@@ -18,13 +19,15 @@ struct SearchSquare {
   int num_rows = 0;
   int num_columns = 0;
   BlockSums sums;
+  int first_trace_index = -1;    ///< of the first in a SearchTrace; the others follow, row-major
+  std::uint64_t is_refined = 0;  ///< a bit for each, see StartQueue::RefineTop
 
   SearchBlock BlockAt(int row, int column) const {
     return {{first.x + (column << height), first.y + (row << height)},
             angle_index,
             height,
             sums[row * kBlocksPerSide + column],
-            -1};
+            first_trace_index < 0 ? -1 : first_trace_index + row * num_columns + column};
   }
 
   int MaxSum() const { return MaxOfBlocks(sums, 0, num_rows, num_columns); }
@@ -42,22 +45,35 @@ class StartQueue {
   bool empty() const { return entries_.empty(); }
   const SearchBlock& top() const { return entries_.top().block; }
 
-  void Push(const SearchBlock& block) { entries_.push({block, kNoSquare}); }
   /// `best` is the best of the square.
   void Push(const SearchSquare& square, const SearchBlock& best);
   SearchBlock Pop();
 
+  /// From a node down to those 4 x 4 that RefineTop takes it for.
+  static constexpr int kHeightsDownToParts = 2;
+
+  /// Whether RefineTop has nothing more to tell of the top.
+  bool TopIsRefined() const;
+  /// Where the 2 x 2 nodes of its square begin that the top is one of.
+  CellIndex GroupOfTop() const;
+  /// Takes the highest bound of its parts for the bound of each of these, which is higher, for each
+  /// point may have its best cell in another part. `parts` are those of all four, 8 x 8.
+  void RefineTop(const BlockSums& parts);
+
  private:
   static constexpr int kUsualNumSquares = 32;  ///< of a window of a metre, one for each angle
-  static constexpr int kNoSquare = -1;
-  static constexpr int kTaken = -1;  ///< in place of the sum; less than any
+  static constexpr int kTaken = -1;            ///< in place of the sum; less than any
 
   struct Entry {
     SearchBlock block;
-    int square = kNoSquare;  ///< whose best it is
+    int square = 0;  ///< whose best it is
 
     friend bool operator<(const Entry& a, const Entry& b) { return a.block < b.block; }
   };
+
+  /// Of a block of a square, row-major.
+  static int PlaceOf(const SearchBlock& block, const SearchSquare& square);
+  void PushBest(int square);
 
   std::vector<SearchSquare> squares_;
   std::priority_queue<Entry> entries_;
