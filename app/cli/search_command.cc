@@ -18,6 +18,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/picture_arguments.h"
 #include "app/cli/run_arguments.h"
+#include "core/matching/search_lattice.h"
 #include "core/slam/derive.h"
 #include "core/slam/loop_explanation.h"
 #include "render/picture_format.h"
@@ -62,11 +63,6 @@ std::vector<SearchNode> WayToWinner(const SearchTrace& trace) {
   for (int i = trace.winner; i >= 0; i = trace.nodes[i].parent) way.push_back(trace.nodes[i]);
   std::reverse(way.begin(), way.end());
   return way;
-}
-
-double NumPoses(const SearchWindow& window) {
-  const double across = 2.0 * window.num_linear_steps + 1.0;
-  return across * across * (2.0 * window.num_angular_steps + 1.0);
 }
 
 std::string ToText(const Pose2& pose) {

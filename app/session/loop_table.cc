@@ -137,13 +137,6 @@ void LoopTable::Show(const Recording& recording, const MapState& state) {
   }
 }
 
-Table MakeLoopTable(const Recording& recording, const MapState& state) {
-  LoopTable loops;
-  loops.Append(recording);
-  loops.Show(recording, state);
-  return loops.table();
-}
-
 std::string ReasonOf(Verdict verdict) {
   switch (verdict) {
     case Verdict::kTooFar:

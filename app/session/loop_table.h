@@ -32,9 +32,6 @@ class LoopTable {
   Table table_;
 };
 
-/// All candidates of the recording, with the residuals of `state`.
-Table MakeLoopTable(const Recording& recording, const MapState& state);
-
 /// Why a candidate got its verdict, in a few words without numbers.
 std::string ReasonOf(Verdict verdict);
 

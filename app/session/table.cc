@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include "render/number_text.h"
+
 namespace loopscope {
 namespace {
 
@@ -22,13 +24,6 @@ template <typename Comparison>
 int UnknownLast(bool a_is_known, bool b_is_known, const Comparison& compare) {
   if (a_is_known && b_is_known) return compare();
   return static_cast<int>(b_is_known) - static_cast<int>(a_is_known);
-}
-
-/// Without the sign of a number that is shown as zero.
-std::string FormatNumber(double number, int digits) {
-  const std::string text = fmt::format("{:.{}f}", number, digits);
-  return text.find_first_not_of("-0.") == std::string::npos ? fmt::format("{:.{}f}", 0.0, digits)
-                                                            : text;
 }
 
 }  // namespace
@@ -93,7 +88,7 @@ std::string Table::Text(int row, int column) const {
   if (!IsKnown(row, column)) return "";
   const Store& store = stores_[column];
   return columns_[column].kind == Column::Kind::kNumber
-             ? FormatNumber(store.numbers[row], columns_[column].digits)
+             ? FixedText(store.numbers[row], columns_[column].digits)
              : store.words[store.word_ids[row]];
 }
 

@@ -155,7 +155,7 @@ void TablePanel::Show(const Session& session) {
   if (has_new_values) FillTable(session);
   if (has_new_values || !(listed_ == settings)) {
     listed_ = settings;
-    List(session);
+    List();
   }
   SelectInView(session);
   is_showing_ = false;
@@ -176,7 +176,7 @@ void TablePanel::FillTable(const Session& session) {
   }
 }
 
-void TablePanel::List(const Session&) {
+void TablePanel::List() {
   const Table& table = kind_ == TableKind::kLoops ? loops_.table() : *table_;
   if (!query_->hasFocus()) query_->setText(QString::fromStdString(listed_->filter));
   try {

@@ -41,7 +41,7 @@ class TablePanel : public QWidget {
   void MakeQueryLine();
   void MakeView();
   void FillTable(const Session& session);
-  void List(const Session& session);
+  void List();
   void SelectInView(const Session& session);
   void RunSelect();
   void RunGo(int shown_row);

@@ -70,8 +70,7 @@ const std::map<std::string, ushort>& Glyphs() {
       {"step.first", 0xf049},     {"step.last", 0xf050},         {"event.next", 0xf051},
       {"event.previous", 0xf048}, {"tiles.one", 0xf0c8},         {"tiles.two", 0xf0db},
       {"tiles.four", 0xf009},     {"camera.fit", 0xf0b2},        {"camera.frame", 0xf05b},
-      {"help.palette", 0xf002},   {"help.keys", 0xf11c},         {"message", 0xf071},
-      {"close", 0xf00d}};
+      {"help.palette", 0xf002},   {"help.keys", 0xf11c}};
   return glyphs;
 }
 

@@ -128,13 +128,12 @@ int ScanAfter(const ScanLog& log, std::size_t reading) {
                           log.scans.begin());
 }
 
-/// Scans before which odometry stands still, though what is seen changes.
-std::vector<int> ScansAfterHanging(const ScanLog& log) {
-  const double max_changed_share =
-      LoopscopePreset().trajectory_builder_2d.max_changed_share_at_standstill;
+/// The scans before which odometry does what `does` asks for.
+template <typename Predicate>
+std::vector<int> ScansBeforeWhich(const ScanLog& log, const Predicate& does) {
   std::vector<int> scans;
   for (int scan = 1; scan < static_cast<int>(log.scans.size()); ++scan) {
-    if (OdometryHangs(log, scan, max_changed_share)) scans.push_back(scan);
+    if (does(scan)) scans.push_back(scan);
   }
   return scans;
 }
@@ -161,13 +160,7 @@ void AdviseOnTimes(const ScanLog& log, LogReport* report) {
   }
 }
 
-void AdviseOnOdometry(const ScanLog& log, LogReport* report) {
-  if (log.odometry.empty()) {
-    report->advice.push_back(
-        "No odometry: each motion is guessed from the one before. Fast turns between scans may be "
-        "lost.");
-    return;
-  }
+void AdviseOnJumps(const ScanLog& log, LogReport* report) {
   const Jumps jumps = JumpsOf(log.odometry);
   if (jumps.count > 0) {
     report->advice.push_back(fmt::format(
@@ -177,7 +170,21 @@ void AdviseOnOdometry(const ScanLog& log, LogReport* report) {
         jumps.count, jumps.first.translation.norm(), RadiansToDegrees(jumps.first.rotation),
         ScanAfter(log, jumps.first_reading)));
   }
-  const std::vector<int> after_hanging = ScansAfterHanging(log);
+  const std::vector<int> after_leaps =
+      ScansBeforeWhich(log, [&](int scan) { return OdometryLeaps(log, scan); });
+  if (!after_leaps.empty()) {
+    report->advice.push_back(fmt::format(
+        "Odometry leaps by a kilometre or more before {} scans, first before scan {}: no robot "
+        "does, and it is not used there.",
+        after_leaps.size(), after_leaps.front()));
+  }
+}
+
+void AdviseOnHanging(const ScanLog& log, LogReport* report) {
+  const double max_changed_share =
+      LoopscopePreset().trajectory_builder_2d.max_changed_share_at_standstill;
+  const std::vector<int> after_hanging =
+      ScansBeforeWhich(log, [&](int scan) { return OdometryHangs(log, scan, max_changed_share); });
   if (!after_hanging.empty()) {
     report->advice.push_back(fmt::format(
         "Odometry stands still before {} scans, first before scan {}, though they see something "
@@ -185,6 +192,17 @@ void AdviseOnOdometry(const ScanLog& log, LogReport* report) {
         "(TRAJECTORY_BUILDER_2D.max_changed_share_at_standstill).",
         after_hanging.size(), after_hanging.front()));
   }
+}
+
+void AdviseOnOdometry(const ScanLog& log, LogReport* report) {
+  if (log.odometry.empty()) {
+    report->advice.push_back(
+        "No odometry: each motion is guessed from the one before. Fast turns between scans may be "
+        "lost.");
+    return;
+  }
+  AdviseOnJumps(log, report);
+  AdviseOnHanging(log, report);
   constexpr double kSparse = 0.5;
   if (report->scan_distance > kSparse) {
     report->advice.push_back(fmt::format(

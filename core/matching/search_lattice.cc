@@ -33,6 +33,11 @@ SearchWindow MakeSearchWindow(const PointCloud& points_in_scan, const Pose2& sub
   return window;
 }
 
+double NumPoses(const SearchWindow& window) {
+  const double linear = 2.0 * window.num_linear_steps + 1.0;
+  return linear * linear * (2.0 * window.num_angular_steps + 1.0);
+}
+
 Pose2 PoseInWindow(const SearchWindow& window, CellIndex offset, int angle_index) {
   const Pose2& guess = window.submap_from_scan_guess;
   return Pose2(guess.translation + CenterOf(offset, window.resolution),

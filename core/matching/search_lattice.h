@@ -19,6 +19,9 @@ int NumLinearSteps(double linear_window, double resolution);
 SearchWindow MakeSearchWindow(const PointCloud& points_in_scan, const Pose2& submap_from_scan_guess,
                               double linear_window, double angular_window, double resolution);
 
+/// Number of poses of W.
+double NumPoses(const SearchWindow& window);
+
 /// The pose of W at `offset` and `angle_index` (eq. 10).
 Pose2 PoseInWindow(const SearchWindow& window, CellIndex offset, int angle_index);
 

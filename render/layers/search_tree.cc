@@ -74,11 +74,8 @@ std::vector<SearchLevel> LevelsOf(const SearchPart& part) {
   }
   std::vector<SearchLevel> levels;
   for (const auto& [height, nodes] : nodes_at_height) {
-    SearchLevel level{height, static_cast<int>(nodes.size()), 0, 0, {}};
-    for (const int i : nodes) {
-      level.num_expanded += part.WasExpanded(i);
-      level.num_pruned += part.WasPruned(i);
-    }
+    SearchLevel level{height, static_cast<int>(nodes.size()), 0, {}};
+    for (const int i : nodes) level.num_expanded += part.WasExpanded(i);
     level.shown = OneForEach(nodes, part, [](const SearchNode& node) {
       return std::pair(node.offset.x, node.offset.y);
     });

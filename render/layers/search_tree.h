@@ -18,7 +18,6 @@ struct SearchLevel {
   int height = 0;
   int num_scored = 0;
   int num_expanded = 0;
-  int num_pruned = 0;
   /// One node for each block, over all angles shown: an expanded one before one that waits for its
   /// fate, this before a pruned one, then the one with the highest bound. Indices into
   /// SearchTrace::nodes.

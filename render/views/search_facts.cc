@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/matching/search_lattice.h"
 #include "render/number_text.h"
 
 namespace loopscope {
@@ -29,11 +30,6 @@ std::string VerdictText(const SearchReplay& search) {
       break;
   }
   return search.recorded ? "closed" : "matches";
-}
-
-double NumPoses(const SearchWindow& window) {
-  const double linear = 2.0 * window.num_linear_steps + 1.0;
-  return linear * linear * (2.0 * window.num_angular_steps + 1.0);
 }
 
 /// How far the search, and then the refinement by (CS), moved the node.

@@ -11,6 +11,14 @@
 namespace loopscope {
 namespace {
 
+/// Of all candidates, with the residuals of `state`.
+Table MakeLoopTable(const Recording& recording, const MapState& state) {
+  LoopTable loops;
+  loops.Append(recording);
+  loops.Show(recording, state);
+  return loops.table();
+}
+
 double NumberAt(const Table& table, int row, const std::string& column) {
   return table.Numbers(table.ColumnOf(column))[row];
 }

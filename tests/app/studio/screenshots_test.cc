@@ -24,9 +24,12 @@ class ScreenshotsTest : public WindowFixture {
   /// Of all loops that were closed.
   int WorstLoop() {
     const Recording& recording = session().recording();
-    const Table loops = MakeLoopTable(recording, session().map());
-    return RowsOf(loops, TableFilter("verdict = closed", loops.columns()),
-                  loops.ColumnOf("residual"), true)
+    LoopTable loops;
+    loops.Append(recording);
+    loops.Show(recording, session().map());
+    const Table& table = loops.table();
+    return RowsOf(table, TableFilter("verdict = closed", table.columns()),
+                  table.ColumnOf("residual"), true)
         .front();
   }
 

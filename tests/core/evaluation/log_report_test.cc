@@ -80,6 +80,15 @@ TEST(LogReport, TellsOfOdometryThatJumps) {
               ElementsAre(HasSubstr("jumps 1 times, first by 0.05 m and 85.9 deg before scan 70")));
 }
 
+TEST(LogReport, TellsOfOdometryThatLeaps) {
+  ScanLog log = GoodLog();
+  for (int i = 70; i < 100; ++i) log.odometry[i].odom_from_base.translation.y() = 1e7;
+  EXPECT_THAT(ReportOn(log).advice,
+              ElementsAre(HasSubstr("jumps 1 times"),
+                          HasSubstr("leaps by a kilometre or more before 1 scans, first before "
+                                    "scan 70")));
+}
+
 TEST(LogReport, TellsOfOdometryThatHangs) {
   ScanLog log = GoodLog();
   for (int i = 70; i < 73; ++i) {
