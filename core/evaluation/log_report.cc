@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/evaluation/statistics.h"
+#include "core/geometry/leap.h"
 #include "core/local/used_odometry.h"
 #include "core/slam/options.h"
 
@@ -36,9 +37,9 @@ void ReportTimes(const ScanLog& log, LogReport* report) {
 
 void ReportWay(const ScanLog& log, LogReport* report) {
   for (std::size_t i = 1; i < log.odometry.size(); ++i) {
-    report->odometry_length += (log.odometry[i].odom_from_base.translation -
-                                log.odometry[i - 1].odom_from_base.translation)
-                                   .norm();
+    const Pose2 motion =
+        log.odometry[i - 1].odom_from_base.Inverse() * log.odometry[i].odom_from_base;
+    if (!IsLeap(motion)) report->odometry_length += motion.translation.norm();
   }
   std::vector<double> distances;
   for (int scan = 1; scan < static_cast<int>(log.scans.size()); ++scan) {
@@ -108,9 +109,11 @@ Jumps JumpsOf(const std::vector<OdometryReading>& odometry) {
   for (std::size_t i = 1; i < odometry.size(); ++i) {
     const Pose2 motion = odometry[i - 1].odom_from_base.Inverse() * odometry[i].odom_from_base;
     const double time = std::max(odometry[i].time - odometry[i - 1].time, kShortestTime);
+    if (IsLeap(motion)) continue;  // told by itself
     if (motion.translation.norm() < kFastest * time &&
-        std::abs(motion.rotation) < fastest_turn * time)
+        std::abs(motion.rotation) < fastest_turn * time) {
       continue;
+    }
     if (jumps.count++ == 0) {
       jumps.first_reading = i;
       jumps.first = motion;

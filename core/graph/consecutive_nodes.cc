@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/graph/consecutive_nodes.h"
 
+#include "core/geometry/leap.h"
+
 namespace loopscope {
 
 std::vector<ConsecutiveNodes> RelateConsecutive(const MeasuredNode& first,
@@ -14,10 +16,11 @@ std::vector<ConsecutiveNodes> RelateConsecutive(const MeasuredNode& first,
   };
   add(first.local_from_node.Inverse() * second.local_from_node,
       options.local_slam_pose_translation_weight, options.local_slam_pose_rotation_weight);
-  if (first.odom_from_node && second.odom_from_node) {
-    add(first.odom_from_node->Inverse() * *second.odom_from_node,
-        options.odometry_translation_weight, options.odometry_rotation_weight);
-  }
+  if (!first.odom_from_node || !second.odom_from_node) return terms;
+  const Pose2 measured = first.odom_from_node->Inverse() * *second.odom_from_node;
+  // It may have leaped at a scan between them.
+  if (IsLeap(measured)) return terms;
+  add(measured, options.odometry_translation_weight, options.odometry_rotation_weight);
   return terms;
 }
 

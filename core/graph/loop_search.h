@@ -27,8 +27,7 @@ LoopCandidate SearchLoop(const LoopCandidate& candidate, const RangeData& scan_i
                          const ConstraintBuilderOptions& options, SearchTrace* trace = nullptr);
 
 /// Whether the winner lies in the outermost cells of its window, so that one beyond could match
-/// better.
-/// `resolution` [m] is that of the search.
+/// better. `resolution` [m] is that of the search.
 bool IsAtBorder(const LoopCandidate& found, double resolution);
 
 /// The INTER_SUBMAP constraint that an accepted candidate is.

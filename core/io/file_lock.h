@@ -6,8 +6,9 @@
 
 namespace loopscope {
 
-/// Says that a file is being written, to those who ask in the same way (flock). Stays with the file
-/// if that is renamed; ends with this object, or with the process.
+/// Says that a file is being written, to those who ask in the same way: an open file description
+/// lock of Linux on a byte far behind those that SQLite locks. Stays with the file if that is
+/// renamed; ends with this object, or with the process.
 class FileLock {
  public:
   /// Locks the file at `path`, which is made if there is none. Throws FileError, of `named_path`,

@@ -207,11 +207,11 @@ std::optional<ScanMatch> LocalSlam::MatchScanAhead(int scan, const Prediction& p
 double LocalSlam::ScoreOfScansAhead(int scan, const Pose2& submap_from_base,
                                     const MatchedSubmap& submap, int num_scans) const {
   PoseExtrapolator extrapolator = extrapolator_;
-  const auto add_pose = [&](int at, const Pose2& local_from_base) {
-    extrapolator.AddPose(log_.scans[at].time, local_from_base, UsedOdometry(log_, at, options_),
-                         MotionKnowledge());
+  const auto add_pose = [&](int at, const Pose2& local_from_base,
+                            const std::optional<Pose2>& odom_from_base) {
+    extrapolator.AddPose(log_.scans[at].time, local_from_base, odom_from_base, MotionKnowledge());
   };
-  add_pose(scan, submap.local_from_submap * submap_from_base);
+  add_pose(scan, submap.local_from_submap * submap_from_base, UsedOdometry(log_, scan, options_));
   const int end = std::min(scan + 1 + num_scans, static_cast<int>(log_.scans.size()));
   double sum = 0.0;
   for (int ahead = scan + 1; ahead < end; ++ahead) {
@@ -222,7 +222,7 @@ double LocalSlam::ScoreOfScansAhead(int scan, const Pose2& submap_from_base,
       sum += match->score;
       local_from_base = submap.local_from_submap * match->submap_from_base;
     }
-    add_pose(ahead, local_from_base);
+    add_pose(ahead, local_from_base, prediction.odom_from_base);
   }
   return sum;
 }

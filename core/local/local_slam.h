@@ -15,8 +15,8 @@ namespace loopscope {
 
 /// What local SLAM made of a scan.
 struct LocalSlamResult {
-  std::optional<Pose2> odom_from_base;  ///< if it is used, there is any, and it does not hang
-  Pose2 local_from_base_prior;          ///< extrapolated; Rounded, like those below
+  std::optional<Pose2> odom_from_base;               ///< UsedOdometry
+  Pose2 local_from_base_prior;                       ///< extrapolated; Rounded, like those below
   std::optional<Pose2> local_from_base_correlative;  ///< after the correlative matcher, if it ran
   Pose2 local_from_base;                             ///< after (CS), or extrapolated
   MatchStart match_start = MatchStart::kNone;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/local/used_odometry.h"
 
+#include "core/geometry/leap.h"
 #include "core/local/changed_ranges.h"
 
 namespace loopscope {
@@ -15,13 +16,10 @@ bool OdometryHangs(const ScanLog& log, int scan, double max_changed_share) {
 }
 
 bool OdometryLeaps(const ScanLog& log, int scan) {
-  constexpr double kFarthest = 1e3;  // [m]
   if (scan == 0) return false;
   const auto before = OdometryOfScan(log, scan - 1);
   const auto now = OdometryOfScan(log, scan);
-  return before && now &&
-         !((now->odom_from_base.translation - before->odom_from_base.translation).norm() <
-           kFarthest);
+  return before && now && IsLeap(before->odom_from_base.Inverse() * now->odom_from_base);
 }
 
 std::optional<Pose2> UsedOdometry(const ScanLog& log, int scan, const LocalSlamOptions& options) {

@@ -13,8 +13,7 @@ namespace loopscope {
 /// `max_changed_share` of what the scanner sees changed.
 bool OdometryHangs(const ScanLog& log, int scan, double max_changed_share);
 
-/// Whether odometry measured a motion since the scan before that no robot makes from one scan to
-/// the next: 1 km or more, or none that is a number.
+/// Whether odometry measured a motion since the scan before that IsLeap.
 bool OdometryLeaps(const ScanLog& log, int scan);
 
 /// odom_from_base at scan `scan`, if odometry is used, there is any, and it neither hangs nor

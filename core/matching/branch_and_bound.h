@@ -45,7 +45,8 @@ class BranchAndBoundMatcher {
 
   /// Searches the window of half the width `linear_window` [m] and `angular_window` [rad] around
   /// `submap_from_scan_guess`. `points_in_scan` must not be empty. If `trace` is given, it is
-  /// overwritten with every node that was scored.
+  /// overwritten with every node of the tree that was scored; the parts by which start nodes were
+  /// refined are none.
   SearchOutcome Search(const PointCloud& points_in_scan, const Pose2& submap_from_scan_guess,
                        double linear_window, double angular_window, double min_score,
                        SearchTrace* trace = nullptr) const;

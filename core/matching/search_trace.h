@@ -29,11 +29,11 @@ enum class SearchFate {
 /// A node c of the search tree: the block of poses [x, x + 2^height) x [y, y + 2^height) x {angle}
 /// of the window (eqs. 11, 12), and the upper bound of the score of every pose in it (eqs. 15, 16).
 struct SearchNode {
-  int parent = -1;           ///< index into SearchTrace::nodes, -1 for a start node
-  int height = 0;            ///< c_h; 0 is a single pose, whose bound is its score
-  CellIndex offset;          ///< lower corner (c_x, c_y) of the block [cells] relative to the guess
-  int angle_index = 0;       ///< c_theta, in [-num_angular_steps, num_angular_steps]
-  double bound = 0.0;        ///< in [kMinProbability, kMaxProbability]; see StartQueue::RefineTop
+  int parent = -1;      ///< index into SearchTrace::nodes, -1 for a start node
+  int height = 0;       ///< c_h; 0 is a single pose, whose bound is its score
+  CellIndex offset;     ///< lower corner (c_x, c_y) of the block [cells] relative to the guess
+  int angle_index = 0;  ///< c_theta, in [-num_angular_steps, num_angular_steps]
+  double bound = 0.0;   ///< the last one, in [kMinProbability, kMaxProbability]: some are refined
   double best_before = 0.0;  ///< the best score when its fate was decided
   SearchFate fate = SearchFate::kPruned;
 };

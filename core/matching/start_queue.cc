@@ -62,7 +62,7 @@ void StartQueue::RefineTop(const BlockSums& parts) {
   entries_.pop();
   for (const int in_group : {0, 1, kBlocksPerSide, kBlocksPerSide + 1}) {
     const int place = group + in_group;
-    if (place >= static_cast<int>(square.sums.size()) || square.sums[place] == kTaken) continue;
+    if (square.sums[place] == kTaken) continue;
     square.sums[place] = HighestOf(parts, kPartsPerSide * in_group);
     square.is_refined |= std::uint64_t{1} << place;
   }

@@ -56,8 +56,8 @@ class StartQueue {
   bool TopIsRefined() const;
   /// Where the 2 x 2 nodes of its square begin that the top is one of.
   CellIndex GroupOfTop() const;
-  /// Takes the highest bound of its parts for the bound of each of these, which is higher, for each
-  /// point may have its best cell in another part. `parts` are those of all four, 8 x 8.
+  /// Lowers the bound of each node of this group to the highest bound of its parts: in its own each
+  /// point may have its best cell in another part. `parts` are the 8 x 8 of all four nodes.
   void RefineTop(const BlockSums& parts);
 
  private:

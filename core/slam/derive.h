@@ -72,6 +72,9 @@ std::vector<double> NodeWays(const Recording& recording);
 /// last look: what that went by.
 LoopGate GateOfPair(const Recording& recording, SubmapId submap, NodeId node);
 
+/// submap_from_node of a pair by the poses when it came up last.
+Pose2 GuessOfPair(const Recording& recording, SubmapId submap, NodeId node);
+
 /// The pair when it came up last, as the mapper would have asked for it to be searched; the verdict
 /// is kTooFar, or kNotSampled if it went through the gate. Pairs that were searched to check a lone
 /// loop nearby were so around where that has them. The submap must have finished.

@@ -199,6 +199,11 @@ LoopGate GateOfPair(const Recording& recording, SubmapId submap, NodeId node) {
   return gate;
 }
 
+Pose2 GuessOfPair(const Recording& recording, SubmapId submap, NodeId node) {
+  if (const auto look = LastLook(recording, submap, node)) return look->submap_from_node_guess;
+  return Rounded(Guess(StateWhenConsidered(recording, submap, node), submap, node));
+}
+
 LoopCandidate ConsiderPair(const Recording& recording, SubmapId submap, NodeId node) {
   if (const auto look = LastLook(recording, submap, node)) return AsAsked(*look);
   const MapState state = StateWhenConsidered(recording, submap, node);

@@ -105,8 +105,8 @@ std::optional<LoopCheck> WindowCheck(const Recording& recording, const LoopCandi
                                      const LoopGate& gate) {
   const std::string window = fmt::format("{:.2f} m, {:.1f} deg", candidate.linear_search_window,
                                          RadiansToDegrees(candidate.angular_search_window));
-  const LoopCandidate asked = ConsiderPair(recording, candidate.submap, candidate.node);
-  if (candidate.submap_from_node_guess != asked.submap_from_node_guess) {
+  if (candidate.submap_from_node_guess !=
+      GuessOfPair(recording, candidate.submap, candidate.node)) {
     return LoopCheck{"search window",
                      window + " around where a loop of a node nearby has it, to check that", "",
                      true};

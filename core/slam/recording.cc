@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/slam/recording.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace loopscope {
 

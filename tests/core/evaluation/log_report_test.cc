@@ -83,10 +83,11 @@ TEST(LogReport, TellsOfOdometryThatJumps) {
 TEST(LogReport, TellsOfOdometryThatLeaps) {
   ScanLog log = GoodLog();
   for (int i = 70; i < 100; ++i) log.odometry[i].odom_from_base.translation.y() = 1e7;
-  EXPECT_THAT(ReportOn(log).advice,
-              ElementsAre(HasSubstr("jumps 1 times"),
-                          HasSubstr("leaps by a kilometre or more before 1 scans, first before "
-                                    "scan 70")));
+  const LogReport report = ReportOn(log);
+  EXPECT_THAT(
+      report.advice,
+      ElementsAre(HasSubstr("leaps by a kilometre or more before 1 scans, first before scan 70")));
+  EXPECT_LT(report.odometry_length, 100.0);
 }
 
 TEST(LogReport, TellsOfOdometryThatHangs) {

@@ -167,7 +167,8 @@ TEST(ExplainLoop, SaysThatTheSearchWasToCheckALoneLoop) {
   int num_checks = 0;
   for (const LoopCandidate& pair : recording.candidates()) {
     if (pair.verdict == Verdict::kNotSampled) continue;
-    const Pose2 guess = ConsiderPair(recording, pair.submap, pair.node).submap_from_node_guess;
+    const Pose2 guess = GuessOfPair(recording, pair.submap, pair.node);
+    EXPECT_EQ(guess, ConsiderPair(recording, pair.submap, pair.node).submap_from_node_guess);
     bool says_so = false;
     for (const LoopCheck& check : ExplainLoop(recording, pair.submap, pair.node).checks) {
       says_so = says_so || check.value.find("to check that") != std::string::npos;
