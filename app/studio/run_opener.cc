@@ -34,6 +34,10 @@ std::shared_ptr<ReadFile> ReadAny(const std::string& path) {
   return file;
 }
 
+bool IsSameFile(const std::string& a, const std::string& b) {
+  return QFileInfo(QString::fromStdString(a)) == QFileInfo(QString::fromStdString(b));
+}
+
 }  // namespace
 
 std::string NewRecordingPath(const std::string& log_path) {
@@ -58,6 +62,10 @@ RunOpener::RunOpener() {
 RunOpener::~RunOpener() { reading_.waitForFinished(); }
 
 void RunOpener::Open(const std::string& path, const Options& options) {
+  if (mapping_ && IsSameFile(path, mapping_->path())) {
+    emit Failed(QString::fromStdString(path + " is being mapped: it is what is shown"));
+    return;
+  }
   options_ = options;
   is_reading_ = true;
   emit Reading(QString::fromStdString(path));

@@ -84,6 +84,15 @@ TEST_F(OpeningTest, AnotherFileReplacesTheOneThatIsMapped) {
   EXPECT_EQ(session().last_step(), ReadRecording(SmallLoopRecording()).num_steps() - 1);
 }
 
+TEST_F(OpeningTest, TheRecordingThatIsMappedIsNotReadMeanwhile) {
+  window().Run("file.open " + CopyOfLog());
+  WaitFor([&] { return session().last_step() > 5; }, "some scans are mapped");
+  window().Run("file.open " + session().path());
+  EXPECT_THAT(window().message(), testing::HasSubstr("is being mapped"));
+  WaitUntilIdle();
+  EXPECT_EQ(session().last_step() + 1, static_cast<int>(session().recording().log().scans.size()));
+}
+
 TEST_F(OpeningTest, TheFileAskedForLastIsTheOneThatIsOpened) {
   window().Run("file.open " + CopyOfLog());
   OpenSmallLoop();
