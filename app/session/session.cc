@@ -13,12 +13,6 @@ namespace {
 
 constexpr std::size_t kMaxUndo = 200;
 
-bool IsInSubmap(const Recording& recording, NodeId node, SubmapId submap) {
-  const Node& record = recording.node(node);
-  const int first = record.first_submap.index;
-  return first <= submap.index && submap.index < first + record.num_submaps;
-}
-
 Theme Darkened(Theme theme) {
   return theme == Theme::kColorBlind ? Theme::kDarkColorBlind : Theme::kDark;
 }
@@ -127,7 +121,7 @@ void Session::SelectForStep(ViewRequest* request) const {
     case ViewKind::kUpdate:
       // The scan is that of the step; of its two submaps the selected one.
       if (has_submap && state.num_nodes > 0 &&
-          IsInSubmap(*recording_, NodeId{state.num_nodes - 1}, *state_.submap)) {
+          recording_->nodes()[state.num_nodes - 1].LiesIn(*state_.submap)) {
         request->submap = state_.submap;
       }
       break;

@@ -35,10 +35,14 @@ void ReportTimes(const ScanLog& log, LogReport* report) {
   report->scan_period = StatisticsOf(std::move(periods)).median;
 }
 
+/// From the reading before to reading `i`.
+Pose2 MotionTo(std::size_t i, const std::vector<OdometryReading>& odometry) {
+  return odometry[i - 1].odom_from_base.Inverse() * odometry[i].odom_from_base;
+}
+
 void ReportWay(const ScanLog& log, LogReport* report) {
   for (std::size_t i = 1; i < log.odometry.size(); ++i) {
-    const Pose2 motion =
-        log.odometry[i - 1].odom_from_base.Inverse() * log.odometry[i].odom_from_base;
+    const Pose2 motion = MotionTo(i, log.odometry);
     if (!IsLeap(motion)) report->odometry_length += motion.translation.norm();
   }
   std::vector<double> distances;
@@ -107,7 +111,7 @@ Jumps JumpsOf(const std::vector<OdometryReading>& odometry) {
   const double fastest_turn = DegreesToRadians(270.0);
   Jumps jumps;
   for (std::size_t i = 1; i < odometry.size(); ++i) {
-    const Pose2 motion = odometry[i - 1].odom_from_base.Inverse() * odometry[i].odom_from_base;
+    const Pose2 motion = MotionTo(i, odometry);
     const double time = std::max(odometry[i].time - odometry[i - 1].time, kShortestTime);
     if (IsLeap(motion)) continue;  // told by itself
     if (motion.translation.norm() < kFastest * time &&

@@ -13,9 +13,6 @@ constexpr double kQuantile = 0.95;
 constexpr double kSafety = 3.0;
 constexpr int kAllOfWindowEvery = 8;
 
-/// All of a window that is none.
-double Share(double drift, double window) { return window > 0.0 ? drift / window : 1.0; }
-
 double Predict(std::vector<double> taken, const MeasuredDriftOptions& options) {
   const auto quantile =
       taken.begin() + static_cast<std::ptrdiff_t>(kQuantile * static_cast<double>(taken.size()));
@@ -25,10 +22,12 @@ double Predict(std::vector<double> taken, const MeasuredDriftOptions& options) {
 
 }  // namespace
 
+double ShareOfWindow(double part, double window) { return window > 0.0 ? part / window : 1.0; }
+
 DriftShare DriftShareOf(const Pose2& guess, const Pose2& found, const LoopGate& gate) {
   const Pose2 drift = guess.Inverse() * found;
-  return {Share(drift.translation.norm(), gate.linear_window),
-          Share(std::abs(NormalizeAngle(drift.rotation)), gate.angular_window)};
+  return {ShareOfWindow(drift.translation.norm(), gate.linear_window),
+          ShareOfWindow(std::abs(NormalizeAngle(drift.rotation)), gate.angular_window)};
 }
 
 DriftShare PredictDriftShare(const std::vector<DriftShare>& taken,

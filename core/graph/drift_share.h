@@ -15,6 +15,9 @@ struct DriftShare {
   double angular = 1.0;
 };
 
+/// `part` of `window` as a share; all of a window that is none.
+double ShareOfWindow(double part, double window);
+
 /// What share of the windows of `gate` it takes to get from `guess` to where the loop is; both
 /// submap_from_node.
 DriftShare DriftShareOf(const Pose2& guess, const Pose2& found, const LoopGate& gate);

@@ -52,10 +52,11 @@ LocalSlam::LocalSlam(const ScanLog& log, const LocalSlamOptions& options)
 LocalSlamResult LocalSlam::AddScan(int scan) {
   const double time = log_.scans[scan].time;
   LocalSlamResult result;
-  result.odom_from_base = UsedOdometry(log_, scan, options_);
+  const Prediction prediction = Predict(scan, extrapolator_);
+  result.odom_from_base = prediction.odom_from_base;
   result.range_data = PrepareRangeData(log_, scan, options_);
   result.has_returns = !result.range_data.returns.empty();
-  result.local_from_base_prior = Rounded(extrapolator_.Predict(time, result.odom_from_base));
+  result.local_from_base_prior = Rounded(prediction.local_from_base);
   result.local_from_base = result.local_from_base_prior;
   if (result.has_returns) Match(scan, &result);
   RequireInMap(result.local_from_base);

@@ -133,30 +133,15 @@ class Search {
   }
 
   void AddStartNodes(const Sector& sector, int angle_index) {
-    SearchSquare square = ScoredSquare(sector.first, sector.last, angle_index, start_height_);
-    if (trace_ != nullptr) {
-      constexpr int kNoParent = -1;
-      square.first_trace_index = AddToTrace(square, kNoParent);
-    }
+    constexpr int kNoParent = -1;
+    const SearchSquare square =
+        ScoredSquare(sector.first, sector.last, angle_index, start_height_, kNoParent);
     const int max_sum = square.MaxSum();
     if (max_sum <= best_sum_) pruned_sum_ = std::max(pruned_sum_, max_sum);
     if (trace_ == nullptr && max_sum <= best_sum_ && max_sum < best_start_.sum) return;
     const SearchBlock best = square.Best(max_sum);
     best_start_ = std::max(best_start_, best);
     if (trace_ != nullptr || max_sum > best_sum_) queue_.Push(square, best);
-  }
-
-  /// Returns the index of the first of the square.
-  int AddToTrace(const SearchSquare& square, int parent) {
-    const int first = static_cast<int>(trace_->nodes.size());
-    for (int row = 0; row < square.num_rows; ++row) {
-      for (int column = 0; column < square.num_columns; ++column) {
-        const SearchBlock block = square.BlockAt(row, column);
-        trace_->nodes.push_back({parent, block.height, block.offset, block.angle_index,
-                                 ScoreOf(block.sum), 0.0, SearchFate::kPruned});
-      }
-    }
-    return first;
   }
 
   /// Where bounds begin to tell places apart. Higher ones are nearly always as high as can be.
@@ -199,37 +184,36 @@ class Search {
     return std::nullopt;
   }
 
+  /// The 8 x 8 blocks that `parent` is branched into, best first. But for a trace, those that do
+  /// not beat the best score are left out.
   std::vector<SearchBlock> Children(const SearchBlock& parent) {
     const int w = window_.num_linear_steps;
-    const int last = (1 << parent.height) - 1;
+    const int side = (1 << parent.height) - 1;
+    const CellIndex first = parent.offset;
+    const CellIndex last{std::min(first.x + side, w), std::min(first.y + side, w)};
+    const SearchSquare square = ScoredSquare(first, last, parent.angle_index,
+                                             parent.height - kHeightsPerBranch, parent.trace_index);
     std::vector<SearchBlock> children;
-    ScoreSquare(
-        parent.offset, {std::min(parent.offset.x + last, w), std::min(parent.offset.y + last, w)},
-        parent.angle_index, parent.height - kHeightsPerBranch, parent.trace_index, &children);
+    const int max_sum = square.MaxSum();
+    if (trace_ == nullptr && max_sum <= best_sum_) {
+      pruned_sum_ = std::max(pruned_sum_, max_sum);
+      return children;
+    }
+    for (int row = 0; row < square.num_rows; ++row) {
+      for (int column = 0; column < square.num_columns; ++column) {
+        const SearchBlock block = square.BlockAt(row, column);
+        if (block.sum <= best_sum_) pruned_sum_ = std::max(pruned_sum_, block.sum);
+        if (trace_ != nullptr || block.sum > best_sum_) children.push_back(block);
+      }
+    }
     std::sort(children.rbegin(), children.rend());
     return children;
   }
 
-  /// Adds those of the 8 x 8 blocks from `first` on to `blocks` that begin at `last` or before. But
-  /// for a trace, those that do not beat the best score are left out.
-  void ScoreSquare(CellIndex first, CellIndex last, int angle_index, int height, int parent,
-                   std::vector<SearchBlock>* blocks) {
-    SearchSquare square = ScoredSquare(first, last, angle_index, height);
-    if (trace_ != nullptr) square.first_trace_index = AddToTrace(square, parent);
-    const int max_sum = square.MaxSum();
-    if (trace_ == nullptr && max_sum <= best_sum_) {
-      pruned_sum_ = std::max(pruned_sum_, max_sum);
-      return;
-    }
-    for (int row = 0; row < square.num_rows; ++row) {
-      for (int column = 0; column < square.num_columns; ++column) {
-        Add(square.BlockAt(row, column), blocks);
-      }
-    }
-  }
-
-  /// The 8 x 8 blocks from `first` on, as far as they begin at `last` or before.
-  SearchSquare ScoredSquare(CellIndex first, CellIndex last, int angle_index, int height) {
+  /// The 8 x 8 blocks from `first` on, as far as they begin at `last` or before. `parent` is theirs
+  /// in the trace.
+  SearchSquare ScoredSquare(CellIndex first, CellIndex last, int angle_index, int height,
+                            int parent) {
     SearchSquare square;
     square.first = first;
     square.angle_index = angle_index;
@@ -238,7 +222,21 @@ class Search {
     square.num_columns = NumBlocks(first.x, last.x, height);
     square.sums = SumBlocks(grids_.at_height(height), CellsAt(angle_index), num_points_, first,
                             square.num_rows);
+    if (trace_ != nullptr) square.first_trace_index = AddToTrace(square, parent);
     return square;
+  }
+
+  /// Returns the index of the first of the square.
+  int AddToTrace(const SearchSquare& square, int parent) {
+    const int first = static_cast<int>(trace_->nodes.size());
+    for (int row = 0; row < square.num_rows; ++row) {
+      for (int column = 0; column < square.num_columns; ++column) {
+        const SearchBlock block = square.BlockAt(row, column);
+        trace_->nodes.push_back({parent, block.height, block.offset, block.angle_index,
+                                 ScoreOf(block.sum), 0.0, SearchFate::kPruned});
+      }
+    }
+    return first;
   }
 
   /// Along a side of a square from `first` on, as far as they begin at `last` or before.
@@ -254,11 +252,6 @@ class Search {
       scan_.CellsAt(angle_index, cells);
     }
     return cells;
-  }
-
-  void Add(const SearchBlock& block, std::vector<SearchBlock>* blocks) {
-    if (block.sum <= best_sum_) pruned_sum_ = std::max(pruned_sum_, block.sum);
-    if (trace_ != nullptr || block.sum > best_sum_) blocks->push_back(block);
   }
 
   /// Where the bounds are highest, without regard to the best score: a fair answer to "how well

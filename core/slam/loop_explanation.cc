@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "core/graph/drift_share.h"
 #include "core/graph/loop_search.h"
 #include "core/graph/spa_cost.h"
 
@@ -111,17 +112,15 @@ std::optional<LoopCheck> WindowCheck(const Recording& recording, const LoopCandi
                      window + " around where a loop of a node nearby has it, to check that", "",
                      true};
   }
+  const double linear = ShareOfWindow(candidate.linear_search_window, gate.linear_window);
+  const double angular = ShareOfWindow(candidate.angular_search_window, gate.angular_window);
   constexpr double kRounding = 1e-3;
-  if (candidate.linear_search_window > (1.0 - kRounding) * gate.linear_window &&
-      candidate.angular_search_window > (1.0 - kRounding) * gate.angular_window) {
-    return std::nullopt;
-  }
+  if (linear > 1.0 - kRounding && angular > 1.0 - kRounding) return std::nullopt;
   return LoopCheck{
       "search window",
       fmt::format("{}: {:.0f} % and {:.0f} % of what the way allows, as loops before were off by "
                   "less",
-                  window, 100.0 * candidate.linear_search_window / gate.linear_window,
-                  100.0 * candidate.angular_search_window / gate.angular_window),
+                  window, 100.0 * linear, 100.0 * angular),
       "", true};
 }
 

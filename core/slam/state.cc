@@ -26,8 +26,7 @@ MapState StateAt(const Recording& recording, int step, int last_optimized_step) 
   state.num_submaps = NumUntil(recording.submaps(), step, [&](const Submap& submap) {
     return recording.node(submap.first_node).step;
   });
-  state.num_candidates = NumUntil(recording.candidates(), last_optimized_step,
-                                  [](const LoopCandidate& c) { return c.applied_step; });
+  state.num_candidates = NumCandidatesAfterStep(recording, last_optimized_step);
   state.num_optimizations = NumUntil(recording.optimizations(), last_optimized_step,
                                      [](const Optimization& o) { return o.step; });
 
@@ -54,6 +53,11 @@ MapState StateAt(const Recording& recording, int step, int last_optimized_step) 
 }
 
 }  // namespace
+
+int NumCandidatesAfterStep(const Recording& recording, int step) {
+  return NumUntil(recording.candidates(), step,
+                  [](const LoopCandidate& c) { return c.applied_step; });
+}
 
 MapState StateAfterStep(const Recording& recording, int step) {
   return StateAt(recording, step, step);

@@ -22,6 +22,9 @@ struct MapState {
   std::vector<Pose2> global_from_node;
 };
 
+/// How many candidates had been applied after scan `step`.
+int NumCandidatesAfterStep(const Recording& recording, int step);
+
 /// The state after scan `step`, in [0, recording.num_steps()). After the last step of a finished
 /// run it includes the final optimization.
 MapState StateAfterStep(const Recording& recording, int step);

@@ -37,7 +37,7 @@ Annotation Describe(const Recording& recording, const ChartData& data, int step)
 
 /// The candidates of `step` that are selected or marked.
 std::set<int> MarkedCandidates(const Recording& recording, int step, const ViewRequest& request) {
-  const int num_candidates = StateAfterStep(recording, step).num_candidates;
+  const int num_candidates = NumCandidatesAfterStep(recording, step);
   std::vector<LoopPair> pairs = request.marked;
   if (request.node && request.submap) pairs.push_back({*request.node, *request.submap});
   std::set<int> candidates;

@@ -30,6 +30,8 @@ TEST(DriftShareOf, IsAllOfAWindowThatIsNone) {
   const DriftShare share = DriftShareOf(Pose2(), Pose2(0.1, 0.0, 0.1), LoopGate());
   EXPECT_EQ(share.linear, 1.0);
   EXPECT_EQ(share.angular, 1.0);
+  EXPECT_EQ(ShareOfWindow(0.0, 0.0), 1.0) << "as loops are explained";
+  EXPECT_EQ(ShareOfWindow(0.5, 2.0), 0.25);
 }
 
 TEST(PredictDriftShare, IsThreeTimesWhatLoopsTook) {

@@ -138,12 +138,16 @@ TEST(ExplainLoop, SaysThatTheRecordingEndedTooEarly) {
   EXPECT_THAT(explanation.answer, HasSubstr("it scores 0."));
 }
 
+/// Of the first pair that the small loop closes, mapped with `options`.
+LoopExplanation ExplainClosedPairWith(const Options& options) {
+  const LoopCandidate& loop = FirstWith(SmallLoop(), Verdict::kAccepted);
+  return ExplainLoop(MapLog(SimulateSmallLoop().log, options), loop.submap, loop.node);
+}
+
 TEST(ExplainLoop, SaysThatNoLoopsWereSearched) {
   Options options = SmallLoopOptions();
   options.pose_graph.optimize_every_n_nodes = 0;
-  const Recording recording = MapLog(SimulateSmallLoop().log, options);
-  const LoopCandidate& loop = FirstWith(SmallLoop(), Verdict::kAccepted);
-  const LoopExplanation explanation = ExplainLoop(recording, loop.submap, loop.node);
+  const LoopExplanation explanation = ExplainClosedPairWith(options);
   EXPECT_THAT(explanation.answer, HasSubstr("not searched at all"));
   EXPECT_EQ(explanation.checks.back().what, "optimize_every_n_nodes");
 }
@@ -151,9 +155,7 @@ TEST(ExplainLoop, SaysThatNoLoopsWereSearched) {
 TEST(ExplainLoop, SaysThatTheNodeHasNoPoints) {
   Options options = SmallLoopOptions();
   options.trajectory_builder_2d.loop_closure_adaptive_voxel_filter.max_range = 0.1;
-  const Recording blind = MapLog(SimulateSmallLoop().log, options);
-  const LoopCandidate& loop = FirstWith(SmallLoop(), Verdict::kAccepted);
-  const LoopExplanation explanation = ExplainLoop(blind, loop.submap, loop.node);
+  const LoopExplanation explanation = ExplainClosedPairWith(options);
   EXPECT_THAT(explanation.answer, HasSubstr("nothing to match"));
   EXPECT_EQ(explanation.checks.back().value, "0");
 }
