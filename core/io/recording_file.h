@@ -11,8 +11,8 @@ namespace loopscope {
 
 // A recording as one SQLite file, *.loopscope; its tables are described in recording_schema.cc.
 // Every step is a transaction of its own, so a process may be killed at any moment: the file still
-// opens, and holds all steps that were finished. (Between two steps nothing else is beside it; in
-// the middle of one there is a *-journal that belongs to it.)
+// opens, and holds all steps that were finished. (While it is written a *-journal is beside it,
+// which belongs to it in the middle of a step; between two steps the file alone is the recording.)
 
 /// Writes a recording while it comes about.
 class RecordingWriter {

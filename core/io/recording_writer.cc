@@ -47,6 +47,15 @@ class RecordingWriter::Statements {
   Statements(const std::string& path, FileLock lock)
       : lock_(std::move(lock)), database_(path, SQLite::OPEN_READWRITE, kBusyTimeout) {
     PrepareForAppending(database_);
+    // To make and remove a journal for each step takes as long as to write the step.
+    database_.exec("PRAGMA journal_mode = PERSIST");
+  }
+  ~Statements() {
+    try {
+      database_.exec("PRAGMA journal_mode = DELETE");
+    } catch (const SQLite::Exception&) {
+      // An old journal stays beside the recording, and says nothing.
+    }
   }
 
   void Append(const SlamUpdate& update) {

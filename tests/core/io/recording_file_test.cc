@@ -61,12 +61,17 @@ TEST(RecordingFile, HoldsTheOptions) {
 TEST(RecordingFile, IsOneFileAtEveryStep) {
   const TemporaryFolder folder;
   const SmallRun run(30);
-  RecordingWriter writer(folder.Path("a.loopscope"), run.log(), CartographerPreset());
+  auto writer = std::make_unique<RecordingWriter>(folder.Path("a.loopscope"), run.log(),
+                                                  CartographerPreset());
   for (int step = 0; step < 30; ++step) {
     EXPECT_EQ(ReadRecording(folder.Path("a.loopscope")).num_steps(), step);
-    writer.Append(run.updates()[step]);
-    EXPECT_THAT(FilesIn(folder.Path("")), testing::ElementsAre("a.loopscope"));
+    writer->Append(run.updates()[step]);
+    std::filesystem::copy_file(folder.Path("a.loopscope"), folder.Path("copy.loopscope"));
+    EXPECT_EQ(ReadRecording(folder.Path("copy.loopscope")).num_steps(), step + 1);
+    std::filesystem::remove(folder.Path("copy.loopscope"));
   }
+  writer.reset();
+  EXPECT_THAT(FilesIn(folder.Path("")), testing::ElementsAre("a.loopscope"));
 }
 
 TEST(RecordingFile, GrowsAsSoonAsAReaderIsDone) {
@@ -201,8 +206,8 @@ TEST(RecordingFile, IsNotReplacedWhileItIsWritten) {
             path + ": is being written by another run; expected it to end first");
   writer->Append(run.updates()[1]);
   EXPECT_EQ(ReadRecording(path).num_steps(), 2);
-  EXPECT_THAT(FilesIn(folder.Path("")), testing::ElementsAre("a.loopscope"));
   writer.reset();
+  EXPECT_THAT(FilesIn(folder.Path("")), testing::ElementsAre("a.loopscope"));
   writer = make_writer();
   EXPECT_EQ(ReadRecording(path).num_steps(), 0);
 }
