@@ -18,4 +18,14 @@ double MinScoreOfLastLook(double min_loop_score, const PointCloud& points_in_nod
   return share * min_mean + (1.0 - share) * kMinProbability;
 }
 
+double RelativeScoreOfKnown(const PointCloud& points_in_node, const Pose2& submap_from_node,
+                            const Pose2& submap_from_node_winner, const ProbabilityGrid& grid,
+                            const LastLookOptions& options) {
+  const KnownScore score = ScoreOfKnown(points_in_node, submap_from_node, grid);
+  const KnownScore of_winner = ScoreOfKnown(points_in_node, submap_from_node_winner, grid);
+  const double min_num_known = options.min_known_share * static_cast<double>(points_in_node.size());
+  if (of_winner.num_points == 0 || score.num_points < min_num_known) return 0.0;
+  return score.mean_probability / of_winner.mean_probability;
+}
+
 }  // namespace loopscope

@@ -27,4 +27,10 @@ double MinScoreOfLastLook(double min_loop_score, const PointCloud& points_in_nod
                           const Pose2& submap_from_node_guess, const ProbabilityGrid& grid,
                           const LastLookOptions& options);
 
+/// How well the points that the submap knows match at a pose, in shares of how well those match
+/// that it knows at the winner. 0 if it knows fewer of them than min_known_share.
+double RelativeScoreOfKnown(const PointCloud& points_in_node, const Pose2& submap_from_node,
+                            const Pose2& submap_from_node_winner, const ProbabilityGrid& grid,
+                            const LastLookOptions& options);
+
 }  // namespace loopscope

@@ -49,9 +49,10 @@ struct LoopCandidate {
   /// No pose in the window scores more. 0 if not searched.
   double score_bound = 0.0;
   double min_score = 0.0;  ///< what the score had to beat
-  double rival_score =
-      0.0;                 ///< of a place far from the winner that matches nearly as well; 0: none
-  int num_supporters = 0;  ///< nodes with loops that agree, see LoopConsistencyOptions
+  /// Of a place far from the winner that matches nearly as well; 0: none. Where the guess of a last
+  /// look is one, its score of what is known, in shares of the winner's, times `score`.
+  double rival_score = 0.0;
+  int num_supporters = 0;           ///< nodes with loops that agree, see LoopConsistencyOptions
   Pose2 submap_from_node_searched;  ///< where the search found `score`
   Pose2 submap_from_node;           ///< refined by (CS): the constraint, if accepted
 };

@@ -18,15 +18,36 @@ constexpr std::size_t kBatchSize = 32;
 /// Of grids and precomputed grids that are kept: those of some 60 submaps of a building.
 constexpr std::size_t kMaxBytes = std::size_t{160} << 20;
 
-/// Of a pose far from the one found that scores nearly as well; 0 if there is none.
-double RivalScore(const LoopCandidate& found, const PointCloud& points_in_node,
-                  const BranchAndBoundMatcher& matcher, const LoopAmbiguityOptions& options) {
-  if (options.max_relative_score >= 1.0 || found.whole_submap) return 0.0;
-  const auto rival =
-      matcher.FindRival(points_in_node, found.submap_from_node_guess, found.linear_search_window,
-                        found.angular_search_window, found.submap_from_node_searched,
-                        options.min_distance, options.max_relative_score * found.score);
-  return rival ? rival->score : 0.0;
+SearchOutcome Search(const LoopCandidate& pair, const PointCloud& points_in_node,
+                     const BranchAndBoundMatcher& matcher, const LoopAmbiguityOptions& ambiguity) {
+  if (pair.whole_submap) return matcher.SearchWholeSubmap(points_in_node, pair.min_score);
+  return matcher.SearchWithRival(points_in_node, pair.submap_from_node_guess,
+                                 pair.linear_search_window, pair.angular_search_window,
+                                 pair.min_score,
+                                 {ambiguity.min_distance, ambiguity.max_relative_score});
+}
+
+Pose2 Refined(const Pose2& submap_from_node, const PointCloud& points_in_node,
+              const ProbabilityGrid& grid, const ConstraintBuilderOptions& options) {
+  return RefineScanMatch(points_in_node, grid, submap_from_node.translation, submap_from_node,
+                         options.ceres_scan_matcher)
+      .submap_from_scan;
+}
+
+/// A last look asks only for what the submap knows where the map has the node. Along a corridor,
+/// where it knows more a scan scores more, and may fit as well where the map has it: returns what
+/// that scores if it is elsewhere, or else 0.
+double RivalAtTheGuess(const LoopCandidate& found, const PointCloud& points_in_node,
+                       const ProbabilityGrid& grid, const ConstraintBuilderOptions& options) {
+  const double max_relative_score = options.ambiguity.max_relative_score;
+  if (!found.last_look || max_relative_score >= 1.0) return 0.0;
+  const Pose2 at_guess = Refined(found.submap_from_node_guess, points_in_node, grid, options);
+  const Pose2& winner = found.submap_from_node;
+  const double distance = (at_guess.translation - winner.translation).norm();
+  if (distance <= options.ambiguity.min_distance) return 0.0;
+  const double relative_score =
+      RelativeScoreOfKnown(points_in_node, at_guess, winner, grid, options.last_look);
+  return relative_score > max_relative_score ? relative_score * found.score : 0.0;
 }
 
 bool IsFromBehind(const LoopCandidate& found, const RangeData& scan_in_node,
@@ -78,25 +99,20 @@ struct LoopSearch::SearchedSubmap {
 
 LoopCandidate SearchLoop(const LoopCandidate& candidate, const RangeData& scan_in_node,
                          const ProbabilityGrid& grid, const BranchAndBoundMatcher& matcher,
-                         const ConstraintBuilderOptions& options, SearchTrace* trace) {
+                         const ConstraintBuilderOptions& options) {
   const PointCloud& points_in_node = scan_in_node.returns;
   LoopCandidate result = Rounded(candidate);
-  const SearchOutcome outcome =
-      result.whole_submap ? matcher.SearchWholeSubmap(points_in_node, result.min_score, trace)
-                          : matcher.Search(points_in_node, result.submap_from_node_guess,
-                                           result.linear_search_window,
-                                           result.angular_search_window, result.min_score, trace);
+  const SearchOutcome outcome = Search(result, points_in_node, matcher, options.ambiguity);
   result.score = outcome.best_found.score;
   result.score_bound = outcome.score_bound;
   result.submap_from_node_searched = outcome.best_found.submap_from_scan;
   result.submap_from_node = result.submap_from_node_searched;
   result.verdict = Verdict::kBelowMinScore;
   if (!outcome.winner) return Rounded(result);
-  result.rival_score = RivalScore(result, points_in_node, matcher, options.ambiguity);
   result.submap_from_node =
-      MatchWithCeres(points_in_node, grid, result.submap_from_node_searched.translation,
-                     result.submap_from_node_searched, options.ceres_scan_matcher)
-          .submap_from_scan;
+      Refined(result.submap_from_node_searched, points_in_node, grid, options);
+  result.rival_score =
+      outcome.rival ? outcome.rival->score : RivalAtTheGuess(result, points_in_node, grid, options);
   result.verdict = VerdictOnWinner(result, scan_in_node, grid, options);
   return Rounded(result);
 }

@@ -24,7 +24,7 @@ LoopCandidate Rounded(LoopCandidate candidate);
 /// Returns `candidate`, Rounded, with verdict, scores and poses set.
 LoopCandidate SearchLoop(const LoopCandidate& candidate, const RangeData& scan_in_node,
                          const ProbabilityGrid& grid, const BranchAndBoundMatcher& matcher,
-                         const ConstraintBuilderOptions& options, SearchTrace* trace = nullptr);
+                         const ConstraintBuilderOptions& options);
 
 /// Whether the winner lies in the outermost cells of its window, so that one beyond could match
 /// better. `resolution` [m] is that of the search.

@@ -7,7 +7,7 @@
 #include "core/graph/second_look.h"
 #include "core/graph/wall_sides.h"
 #include "core/matching/branch_and_bound.h"
-#include "core/matching/ceres_scan_matcher.h"
+#include "core/matching/scan_match_refinement.h"
 
 namespace loopscope {
 

@@ -4,8 +4,8 @@
 
 #include "core/local/active_submaps.h"
 #include "core/local/motion_filter.h"
-#include "core/matching/ceres_scan_matcher.h"
 #include "core/matching/correlative_scan_matcher.h"
+#include "core/matching/scan_match_refinement.h"
 #include "core/sensor/range_data.h"
 #include "core/sensor/voxel_filter.h"
 

@@ -24,8 +24,8 @@ ScanMatch MatchNear(const PointCloud& points_in_base, const ProbabilityGrid& gri
                 .submap_from_scan;
     match.submap_from_base_correlative = start;
   }
-  match.submap_from_base = MatchWithCeres(points_in_base, grid, submap_from_base_prior.translation,
-                                          start, options.ceres_scan_matcher)
+  match.submap_from_base = RefineScanMatch(points_in_base, grid, submap_from_base_prior.translation,
+                                           start, options.ceres_scan_matcher)
                                .submap_from_scan;
   match.score = MeanProbability(points_in_base, match.submap_from_base, grid);
   return match;
@@ -64,8 +64,8 @@ ScanMatch Refined(const Pose2& found, const PointCloud& points_in_base, const Pr
                   const CeresScanMatcherOptions& options) {
   ScanMatch match{
       found,
-      MatchWithCeres(points_in_base, grid, found.translation, found, options).submap_from_scan, 0.0,
-      MatchStart::kRecovery};
+      RefineScanMatch(points_in_base, grid, found.translation, found, options).submap_from_scan,
+      0.0, MatchStart::kRecovery};
   match.score = MeanProbability(points_in_base, match.submap_from_base, grid);
   return match;
 }

@@ -19,8 +19,8 @@ namespace loopscope::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Of four neighbours -1, 0, 1, 2: their weights at t in [0, 1) between 0 and 1, or the derivatives
-/// of these.
+/// Of four neighbours -1, 0, 1, 2: their weights at t in [0, 1) between 0 and 1, or the first or
+/// second derivatives of these.
 template <typename Numbers>
 struct Weights {
   hn::Vec<Numbers> of[4];
@@ -48,6 +48,15 @@ HWY_INLINE Weights<Numbers> CubicSlopes(Numbers numbers, hn::Vec<Numbers> t) {
 }
 
 template <typename Numbers>
+HWY_INLINE Weights<Numbers> CubicCurvatures(Numbers numbers, hn::Vec<Numbers> t) {
+  const auto c = [numbers](double value) HWY_ATTR { return hn::Set(numbers, value); };
+  const auto three_t = hn::Mul(c(3.0), t);
+  const auto nine_t = hn::Mul(c(9.0), t);
+  return {hn::Sub(c(2.0), three_t), hn::Sub(nine_t, c(5.0)), hn::Sub(c(4.0), nine_t),
+          hn::Sub(three_t, c(1.0))};
+}
+
+template <typename Numbers>
 HWY_INLINE hn::Vec<Numbers> Weighted(const hn::Vec<Numbers> (&values)[4],
                                      const Weights<Numbers>& weights) {
   return hn::Add(hn::Add(hn::Mul(values[0], weights.of[0]), hn::Mul(values[1], weights.of[1])),
@@ -59,6 +68,9 @@ struct Results {
   double* values;
   double* slopes_x;
   double* slopes_y;
+  double* curvatures_xx;
+  double* curvatures_xy;
+  double* curvatures_yy;
 };
 
 /// Four cells side by side in each lane, 16 bits each, so many bytes after `cells`.
@@ -97,8 +109,10 @@ HWY_INLINE void Interpolate(Numbers numbers, const CellValue* cells,
   };
   const Weights<Numbers> weights_x = CubicWeights(numbers, t_x);
   const Weights<Numbers> slopes_x = CubicSlopes(numbers, t_x);
+  const Weights<Numbers> curvatures_x = CubicCurvatures(numbers, t_x);
   hn::Vec<Numbers> values[4];
   hn::Vec<Numbers> slopes[4];
+  hn::Vec<Numbers> curvatures[4];
   for (int i = 0; i < 4; ++i) {
     const auto row = GatherRows(rows, cells, place);
     const hn::Vec<Numbers> of_row[4] = {to_number(row), to_number(hn::ShiftRight<16>(row)),
@@ -106,6 +120,7 @@ HWY_INLINE void Interpolate(Numbers numbers, const CellValue* cells,
                                         to_number(hn::ShiftRight<48>(row))};
     values[i] = Weighted<Numbers>(of_row, weights_x);
     slopes[i] = Weighted<Numbers>(of_row, slopes_x);
+    curvatures[i] = Weighted<Numbers>(of_row, curvatures_x);
     place = hn::Add(place, hn::Set(rows, row_size));
   }
   const Weights<Numbers> weights_y = CubicWeights(numbers, t_y);
@@ -113,10 +128,18 @@ HWY_INLINE void Interpolate(Numbers numbers, const CellValue* cells,
   hn::StoreU(hn::Add(hn::Set(numbers, kMinProbability),
                      hn::Mul(hn::Set(numbers, kProbabilityStep), steps)),
              numbers, results.values);
-  const auto per_meter = hn::Set(numbers, kProbabilityStep / resolution);
-  hn::StoreU(hn::Mul(per_meter, Weighted<Numbers>(slopes, weights_y)), numbers, results.slopes_x);
-  hn::StoreU(hn::Mul(per_meter, Weighted<Numbers>(values, CubicSlopes(numbers, t_y))), numbers,
-             results.slopes_y);
+  const auto store = [&](double scale, const hn::Vec<Numbers>(&of_rows)[4],
+                         const Weights<Numbers>& weights, double* to) HWY_ATTR {
+    hn::StoreU(hn::Mul(hn::Set(numbers, scale), Weighted<Numbers>(of_rows, weights)), numbers, to);
+  };
+  const Weights<Numbers> slopes_y = CubicSlopes(numbers, t_y);
+  const double per_meter = kProbabilityStep / resolution;
+  store(per_meter, slopes, weights_y, results.slopes_x);
+  store(per_meter, values, slopes_y, results.slopes_y);
+  const double per_square_meter = per_meter / resolution;
+  store(per_square_meter, curvatures, weights_y, results.curvatures_xx);
+  store(per_square_meter, slopes, slopes_y, results.curvatures_xy);
+  store(per_square_meter, values, CubicCurvatures(numbers, t_y), results.curvatures_yy);
 }
 
 /// At one point, whose neighbours the grid need not hold.
@@ -134,13 +157,16 @@ void InterpolateOne(const ProbabilityGrid& grid, const Eigen::Vector2d& point,
               hn::Set(number, v - y), grid.resolution(), results);
 }
 
-void InterpolateHere(const ProbabilityGrid& grid, const Eigen::Vector2d* points,
-                     std::size_t num_points, double* values, double* slopes_x, double* slopes_y) {
-  Results results{values, slopes_x, slopes_y};
+void InterpolateHere(const ProbabilityGrid& grid, const PointCloud& points, SmoothValues* found) {
+  Results results{found->values.data(),        found->slopes_x.data(),
+                  found->slopes_y.data(),      found->curvatures_xx.data(),
+                  found->curvatures_xy.data(), found->curvatures_yy.data()};
   const auto advance = [&results](std::size_t count) {
-    results.values += count;
-    results.slopes_x += count;
-    results.slopes_y += count;
+    for (double** const next :
+         {&results.values, &results.slopes_x, &results.slopes_y, &results.curvatures_xx,
+          &results.curvatures_xy, &results.curvatures_yy}) {
+      *next += count;
+    }
   };
   std::size_t i = 0;
 #if HWY_TARGET != HWY_SCALAR
@@ -149,7 +175,7 @@ void InterpolateHere(const ProbabilityGrid& grid, const Eigen::Vector2d* points,
   const auto resolution = hn::Set(numbers, grid.resolution());
   const CellBox& box = grid.box();
   const std::size_t num_lanes = hn::Lanes(numbers);
-  for (; i + num_lanes <= num_points; i += num_lanes) {
+  for (; i + num_lanes <= points.size(); i += num_lanes) {
     hn::Vec<decltype(numbers)> x;
     hn::Vec<decltype(numbers)> y;
     hn::LoadInterleaved2(numbers, points[i].data(), x, y);
@@ -181,7 +207,7 @@ void InterpolateHere(const ProbabilityGrid& grid, const Eigen::Vector2d* points,
     }
   }
 #endif
-  for (; i < num_points; ++i) {
+  for (; i < points.size(); ++i) {
     InterpolateOne(grid, points[i], results);
     advance(1);
   }
@@ -197,12 +223,12 @@ HWY_EXPORT(InterpolateHere);
 
 SmoothValues BicubicGrid::At(const PointCloud& points) const {
   SmoothValues found;
-  found.values.resize(points.size());
-  found.slopes_x.resize(points.size());
-  found.slopes_y.resize(points.size());
-  HWY_DYNAMIC_DISPATCH(InterpolateHere)
-  (grid_, points.data(), points.size(), found.values.data(), found.slopes_x.data(),
-   found.slopes_y.data());
+  for (std::vector<double>* const numbers :
+       {&found.values, &found.slopes_x, &found.slopes_y, &found.curvatures_xx, &found.curvatures_xy,
+        &found.curvatures_yy}) {
+    numbers->resize(points.size());
+  }
+  HWY_DYNAMIC_DISPATCH(InterpolateHere)(grid_, points, &found);
   return found;
 }
 

@@ -12,8 +12,11 @@ namespace loopscope {
 /// Values of M_smooth and their derivatives by the place.
 struct SmoothValues {
   std::vector<double> values;
-  std::vector<double> slopes_x;  ///< [1/m]
-  std::vector<double> slopes_y;  ///< [1/m]
+  std::vector<double> slopes_x;       ///< [1/m]
+  std::vector<double> slopes_y;       ///< [1/m]
+  std::vector<double> curvatures_xx;  ///< [1/m^2]
+  std::vector<double> curvatures_xy;
+  std::vector<double> curvatures_yy;
 };
 
 /// M_smooth of (CS): the probabilities of a grid, interpolated by bicubic (Catmull-Rom) convolution

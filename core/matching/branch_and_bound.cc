@@ -26,7 +26,7 @@ constexpr int kHeightsPerBranch = 3;
 static_assert(1 << kHeightsPerBranch == kBlocksPerSide);
 
 /// Start nodes that a search branches before it refines the others: most searches end before.
-constexpr int kNumBranchedBeforeRefining = 20;
+constexpr std::size_t kNumBranchedBeforeRefining = 20;
 
 /// Offsets of a window that are not of interest.
 struct Disc {
@@ -64,17 +64,31 @@ class Search {
     if (trace_ != nullptr) PruneRest();
     if (!winner_) {
       OpenSectorsDownTo(pruned_sum_);
-      return {std::nullopt, ResultOf(DescendToLeaf()), ScoreOf(pruned_sum_)};
+      return {std::nullopt, std::nullopt, ResultOf(DescendToLeaf()), ScoreOf(pruned_sum_)};
     }
     if (trace_ != nullptr) trace_->winner = winner_->trace_index;
     const SearchResult result = ResultOf(*winner_);
-    return {result, result, result.score};
+    return {result, std::nullopt, result, result.score};
   }
 
-  /// Any leaf outside of `excluded` that scores more than `min_score`.
-  std::optional<SearchResult> RunOutside(const Disc& excluded, double min_score) {
-    SetMinScore(min_score);
-    MakeSectors();
+  /// The same, and then any leaf that is a rival: among the start nodes that were branched, and
+  /// then among the others.
+  SearchOutcome RunWithRival(double min_score, const RivalCriterion& criterion) {
+    rival_share_ = criterion.min_relative_score;
+    SearchOutcome outcome = Run(min_score);
+    if (outcome.winner) outcome.rival = Rival(*outcome.winner, criterion);
+    return outcome;
+  }
+
+ private:
+  std::optional<SearchResult> Rival(const SearchResult& winner, const RivalCriterion& criterion) {
+    const Eigen::Vector2d from_guess =
+        winner.submap_from_scan.translation - window_.submap_from_scan_guess.translation;
+    const Disc excluded{from_guess / window_.resolution,
+                        criterion.min_distance / window_.resolution};
+    SetMinScore(criterion.min_relative_score * winner.score);
+    const std::optional<SearchBlock> in_branched = FirstLeafOutside(branched_, excluded);
+    if (in_branched) return ResultOf(*in_branched);
     while (const std::optional<SearchBlock> block = NextStartBlock(&excluded)) {
       const std::optional<SearchBlock> found = FirstLeafOutside({*block}, excluded);
       if (found) return ResultOf(*found);
@@ -82,7 +96,6 @@ class Search {
     return std::nullopt;
   }
 
- private:
   /// All start nodes C_0 (eq. 13), in sectors. A trace wants each by itself, and a window of one
   /// square has too few sectors for their bounds to pay.
   void MakeSectors() {
@@ -101,10 +114,10 @@ class Search {
       if (queue_.top().sum < min_bound) break;
       if (excluded != nullptr && excluded->Holds(queue_.top())) {
         queue_.Pop();
-      } else if (start_height_ == 0 || num_branched_ < kNumBranchedBeforeRefining ||
+      } else if (start_height_ == 0 || branched_.size() < kNumBranchedBeforeRefining ||
                  queue_.TopIsRefined()) {
-        ++num_branched_;
-        return queue_.Pop();
+        branched_.push_back(queue_.Pop());
+        return branched_.back();
       } else {
         RefineTop();
       }
@@ -138,11 +151,15 @@ class Search {
         ScoredSquare(sector.first, sector.last, angle_index, start_height_, kNoParent);
     const int max_sum = square.MaxSum();
     if (max_sum <= best_sum_) pruned_sum_ = std::max(pruned_sum_, max_sum);
-    if (trace_ == nullptr && max_sum <= best_sum_ && max_sum < best_start_.sum) return;
+    const bool is_wanted = trace_ != nullptr || MayHoldRival(max_sum);
+    if (!is_wanted && max_sum < best_start_.sum) return;
     const SearchBlock best = square.Best(max_sum);
     best_start_ = std::max(best_start_, best);
-    if (trace_ != nullptr || max_sum > best_sum_) queue_.Push(square, best);
+    if (is_wanted) queue_.Push(square, best);
   }
+
+  /// Of a sum, whether nodes that it bounds may hold the winner or a rival of it.
+  bool MayHoldRival(int sum) const { return ScoreOf(sum) > rival_share_ * best_score_; }
 
   /// Where bounds begin to tell places apart. Higher ones are nearly always as high as can be.
   int StartHeight() const {
@@ -303,8 +320,9 @@ class Search {
   SearchBlock best_start_{{}, 0, 0, -1, -1};  ///< the start node with the highest bound
   int best_sum_ = -1;
   double best_score_ = 0.0;
-  int num_branched_ = 0;  ///< start nodes
-  int pruned_sum_ = 0;    ///< the highest bound that was not followed
+  double rival_share_ = 1.0;           ///< of the winner's score; those of rivals are higher
+  std::vector<SearchBlock> branched_;  ///< start nodes
+  int pruned_sum_ = 0;                 ///< the highest bound that was not followed
   std::optional<SearchBlock> winner_;
 };
 
@@ -332,15 +350,15 @@ SearchOutcome BranchAndBoundMatcher::Search(const PointCloud& points_in_scan,
   return loopscope::Search(*grids_, window, points_in_scan, trace).Run(min_score);
 }
 
-std::optional<SearchResult> BranchAndBoundMatcher::FindRival(
-    const PointCloud& points_in_scan, const Pose2& submap_from_scan_guess, double linear_window,
-    double angular_window, const Pose2& winner, double min_distance, double min_score) const {
+SearchOutcome BranchAndBoundMatcher::SearchWithRival(const PointCloud& points_in_scan,
+                                                     const Pose2& submap_from_scan_guess,
+                                                     double linear_window, double angular_window,
+                                                     double min_score,
+                                                     const RivalCriterion& rival) const {
+  assert(!points_in_scan.empty());
   const SearchWindow window = MakeSearchWindow(points_in_scan, submap_from_scan_guess,
                                                linear_window, angular_window, grids_->resolution());
-  const Disc excluded{(winner.translation - submap_from_scan_guess.translation) / window.resolution,
-                      min_distance / window.resolution};
-  return loopscope::Search(*grids_, window, points_in_scan, nullptr)
-      .RunOutside(excluded, min_score);
+  return loopscope::Search(*grids_, window, points_in_scan, nullptr).RunWithRival(min_score, rival);
 }
 
 SearchOutcome BranchAndBoundMatcher::SearchWholeSubmap(const PointCloud& points_in_scan,

@@ -25,9 +25,18 @@ struct SearchResult {
   double score = 0.0;  ///< mean of M_nearest (256 steps) at the points, in [0.1, 0.9]
 };
 
+/// What makes a pose a rival of the winner: it lies elsewhere, and scores nearly as well.
+struct RivalCriterion {
+  double min_distance = 0.0;        ///< [m] Rivals are farther from the winner, at any angle
+  double min_relative_score = 0.0;  ///< Rivals score more than this share of its score
+};
+
 struct SearchOutcome {
   /// The winner; nothing if no pose of the window scores more than min_score.
   std::optional<SearchResult> winner;
+  /// Any of its rivals, if they were asked for. Nothing if there is none: then the winner is the
+  /// only place where the scan fits.
+  std::optional<SearchResult> rival;
   /// The best single pose that was scored, the winner or one below min_score.
   SearchResult best_found;
   /// No pose in the window scores more.
@@ -51,13 +60,11 @@ class BranchAndBoundMatcher {
                        double linear_window, double angular_window, double min_score,
                        SearchTrace* trace = nullptr) const;
 
-  /// Any pose of the window of Search that scores more than `min_score` farther than `min_distance`
-  /// [m] from `winner`, at any angle. Nothing if there is none: then the winner is the only place
-  /// where the scan fits.
-  std::optional<SearchResult> FindRival(const PointCloud& points_in_scan,
-                                        const Pose2& submap_from_scan_guess, double linear_window,
-                                        double angular_window, const Pose2& winner,
-                                        double min_distance, double min_score) const;
+  /// The same, and then looks for a rival of the winner.
+  SearchOutcome SearchWithRival(const PointCloud& points_in_scan,
+                                const Pose2& submap_from_scan_guess, double linear_window,
+                                double angular_window, double min_score,
+                                const RivalCriterion& rival) const;
 
   /// Searches every place in the submap at every angle.
   SearchOutcome SearchWholeSubmap(const PointCloud& points_in_scan, double min_score,

@@ -167,8 +167,10 @@ std::optional<SearchReplay> ReplaySearch(const Recording& recording, SubmapId su
   const ConstraintBuilderOptions& options = recording.options().pose_graph.constraint_builder;
   const BranchAndBoundMatcher matcher(replay.grid,
                                       options.fast_correlative_scan_matcher.branch_and_bound_depth);
-  replay.result =
-      SearchLoop(replay.candidate, replay.scan, replay.grid, matcher, options, &replay.trace);
+  replay.result = SearchLoop(replay.candidate, replay.scan, replay.grid, matcher, options);
+  matcher.Search(replay.scan.returns, replay.result.submap_from_node_guess,
+                 replay.result.linear_search_window, replay.result.angular_search_window,
+                 replay.result.min_score, &replay.trace);
   return replay;
 }
 

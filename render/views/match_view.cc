@@ -34,7 +34,7 @@ std::vector<ScanPlace> PlacesOf(const MatchReplay& match, const Palette& palette
     places.push_back(
         {*match.submap_from_base_correlative, palette.correlative, "correlative match"});
   }
-  places.push_back({match.submap_from_base, palette.refined, "refined (Ceres)"});
+  places.push_back({match.submap_from_base, palette.refined, "refined"});
   return places;
 }
 

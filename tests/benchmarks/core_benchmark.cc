@@ -5,8 +5,8 @@
 #include "core/grid/ray_cast.h"
 #include "core/grid/scan_inserter.h"
 #include "core/io/carmen_log.h"
-#include "core/matching/ceres_scan_matcher.h"
 #include "core/matching/correlative_scan_matcher.h"
+#include "core/matching/scan_match_refinement.h"
 #include "core/slam/derive.h"
 #include "tests/support/ceres_graph.h"
 #include "tests/support/ceres_scan_match.h"
@@ -69,17 +69,17 @@ void BM_MatchCorrelative(benchmark::State& state) {
 }
 BENCHMARK(BM_MatchCorrelative)->Unit(benchmark::kMicrosecond);
 
-void BM_MatchWithCeres(benchmark::State& state) {
+void BM_RefineScanMatch(benchmark::State& state) {
   const CeresScanMatcherOptions options;
   const Pose2& prior = Match().submap_from_base_prior;
   for (auto _ : state) {
     benchmark::DoNotOptimize(
-        MatchWithCeres(Match().points, Match().grid, prior.translation, prior, options));
+        RefineScanMatch(Match().points, Match().grid, prior.translation, prior, options));
   }
 }
-BENCHMARK(BM_MatchWithCeres)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_RefineScanMatch)->Unit(benchmark::kMicrosecond);
 
-void BM_PlainMatchWithCeres(benchmark::State& state) {
+void BM_PlainRefineScanMatch(benchmark::State& state) {
   const CeresScanMatcherOptions options;
   const Pose2& prior = Match().submap_from_base_prior;
   for (auto _ : state) {
@@ -87,7 +87,7 @@ void BM_PlainMatchWithCeres(benchmark::State& state) {
                                                            prior.translation, prior, options));
   }
 }
-BENCHMARK(BM_PlainMatchWithCeres)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_PlainRefineScanMatch)->Unit(benchmark::kMicrosecond);
 
 // Into two submaps, as each scan is.
 void BM_InsertScan(benchmark::State& state) {

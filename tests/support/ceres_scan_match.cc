@@ -48,11 +48,11 @@ struct Prior {
 
 }  // namespace
 
-CeresMatch MatchWithAutomaticDerivatives(const PointCloud& points_in_scan,
-                                         const ProbabilityGrid& grid,
-                                         const Eigen::Vector2d& target_translation,
-                                         const Pose2& submap_from_scan_start,
-                                         const CeresScanMatcherOptions& options) {
+RefinedMatch MatchWithAutomaticDerivatives(const PointCloud& points_in_scan,
+                                           const ProbabilityGrid& grid,
+                                           const Eigen::Vector2d& target_translation,
+                                           const Pose2& submap_from_scan_start,
+                                           const CeresScanMatcherOptions& options) {
   const int num_points = static_cast<int>(points_in_scan.size());
   Eigen::Vector3d pose(submap_from_scan_start.x(), submap_from_scan_start.y(),
                        submap_from_scan_start.rotation);

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/matching/ceres_scan_matcher.h"
+#include "core/matching/scan_match_refinement.h"
 
 namespace loopscope {
 
-/// MatchWithCeres as Cartographer has it: a problem of Ceres with automatic derivatives, and its
+/// RefineScanMatch as Cartographer has it: a problem of Ceres with automatic derivatives, and its
 /// own bicubic interpolation.
-CeresMatch MatchWithAutomaticDerivatives(const PointCloud& points_in_scan,
-                                         const ProbabilityGrid& grid,
-                                         const Eigen::Vector2d& target_translation,
-                                         const Pose2& submap_from_scan_start,
-                                         const CeresScanMatcherOptions& options);
+RefinedMatch MatchWithAutomaticDerivatives(const PointCloud& points_in_scan,
+                                           const ProbabilityGrid& grid,
+                                           const Eigen::Vector2d& target_translation,
+                                           const Pose2& submap_from_scan_start,
+                                           const CeresScanMatcherOptions& options);
 
 }  // namespace loopscope

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
-
 #include "core/matching/branch_and_bound.h"
 #include "tests/support/random_world.h"
 
@@ -27,11 +25,10 @@ class RandomSearch {
                 min_score, trace);
   }
 
-  std::optional<SearchResult> FindRival(const Pose2& winner, double min_distance,
-                                        double min_score) const {
+  SearchOutcome RunWithRival(double min_score, const RivalCriterion& rival) const {
     return BranchAndBoundMatcher(world_.grid, depth_)
-        .FindRival(world_.points_in_scan, submap_from_scan_guess_, linear_window_, angular_window_,
-                   winner, min_distance, min_score);
+        .SearchWithRival(world_.points_in_scan, submap_from_scan_guess_, linear_window_,
+                         angular_window_, min_score, rival);
   }
 
  private:

@@ -6,6 +6,7 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QtTest>
+#include <filesystem>
 #include <set>
 
 #include "core/io/recording_file.h"
@@ -58,7 +59,10 @@ TEST_F(OpeningTest, AStepThatIsLookedAtStaysWhileTheMapGrows) {
 }
 
 TEST_F(OpeningTest, WhatWasMappedStaysWhenMappingIsStopped) {
-  window().Run("file.open " + CopyOfLog());
+  // A second is long enough to stop it in.
+  const std::string log = folder().Path("office.log.gz");
+  std::filesystem::copy_file(LOOPSCOPE_SOURCE_DIR "/datasets/office.log.gz", log);
+  window().Run("file.open " + log);
   WaitFor([&] { return session().last_step() > 5; }, "some scans are mapped");
   Play({"file.stop_mapping"});
   EXPECT_EQ(ReadRecording(session().path()).num_steps(), session().last_step() + 1);

@@ -42,5 +42,26 @@ TEST(MinScoreOfLastLook, AsksForSomePointsAtLeast) {
   EXPECT_DOUBLE_EQ(MinScore(100, Pose2(), 1.0), 0.8 * 0.5);
 }
 
+double RelativeScore(const PointCloud& points, const Pose2& pose, const Pose2& winner) {
+  ProbabilityGrid grid = RowOfCells();
+  grid.Update({{0, 0}}, OddsUpdate(0.9));
+  return RelativeScoreOfKnown(points, pose, winner, grid, {12, 0.8, 0.35});
+}
+
+TEST(RelativeScoreOfKnown, ComparesWhatIsKnownAtEitherPose) {
+  const PointCloud points = PointsInARow(4);
+  EXPECT_DOUBLE_EQ(RelativeScore(points, Pose2(2.0, 0.0, 0.0), Pose2(5.0, 0.0, 0.0)), 1.0);
+  EXPECT_DOUBLE_EQ(RelativeScore(points, Pose2(8.0, 0.0, 0.0), Pose2(5.0, 0.0, 0.0)), 1.0)
+      << "two points lie beyond";
+  EXPECT_GT(RelativeScore(points, Pose2(0.0, 0.0, 0.0), Pose2(5.0, 0.0, 0.0)), 1.0);
+  EXPECT_LT(RelativeScore(points, Pose2(5.0, 0.0, 0.0), Pose2(0.0, 0.0, 0.0)), 1.0);
+}
+
+TEST(RelativeScoreOfKnown, IsNothingWhereTooFewPointsAreKnown) {
+  const PointCloud points = PointsInARow(4);
+  EXPECT_EQ(RelativeScore(points, Pose2(9.0, 0.0, 0.0), Pose2(5.0, 0.0, 0.0)), 0.0);
+  EXPECT_EQ(RelativeScore(points, Pose2(5.0, 0.0, 0.0), Pose2(50.0, 0.0, 0.0)), 0.0);
+}
+
 }  // namespace
 }  // namespace loopscope

@@ -41,9 +41,9 @@ LoopCandidate Candidate(int submap, int node, double min_score) {
 
 class LoopSearchInARoom : public ::testing::Test {
  protected:
-  LoopCandidate Search(const LoopCandidate& candidate, SearchTrace* trace = nullptr) const {
-    return SearchLoop(candidate, *ScanOf(points_), room_.grid(), matcher_,
-                      ConstraintBuilderOptions(), trace);
+  LoopCandidate Search(const LoopCandidate& candidate,
+                       const ConstraintBuilderOptions& options = ConstraintBuilderOptions()) const {
+    return SearchLoop(candidate, *ScanOf(points_), room_.grid(), matcher_, options);
   }
 
   const SimulatedRoom room_;
@@ -89,13 +89,18 @@ TEST_F(LoopSearchInARoom, SearchesTheWholeSubmapWhateverTheGuessIs) {
   EXPECT_THAT(result.submap_from_node, PoseNear(kTruth, 0.02, 0.005));
 }
 
-TEST_F(LoopSearchInARoom, FindsTheSameWithATrace) {
-  SearchTrace trace;
-  const LoopCandidate traced = Search(Candidate(0, 0, 0.5), &trace);
-  const LoopCandidate untraced = Search(Candidate(0, 0, 0.5));
-  EXPECT_FALSE(trace.nodes.empty());
-  EXPECT_EQ(traced.score, untraced.score);
-  EXPECT_EQ(traced.submap_from_node, untraced.submap_from_node);
+TEST_F(LoopSearchInARoom, RefusesAWinnerThatHasARival) {
+  ConstraintBuilderOptions options;
+  options.ambiguity.min_distance = 0.2;
+  options.ambiguity.max_relative_score = 0.9;
+  const LoopCandidate alone = Search(Candidate(0, 0, 0.5), options);
+  EXPECT_EQ(alone.verdict, Verdict::kAccepted);
+  EXPECT_EQ(alone.rival_score, 0.0);
+  options.ambiguity.max_relative_score = 0.5;
+  const LoopCandidate with_rival = Search(Candidate(0, 0, 0.5), options);
+  EXPECT_EQ(with_rival.verdict, Verdict::kAmbiguous);
+  EXPECT_GT(with_rival.rival_score, 0.5 * with_rival.score);
+  EXPECT_EQ(with_rival.score, alone.score);
 }
 
 TEST_F(LoopSearchInARoom, MakesAConstraintOfTheRefinedPose) {
@@ -114,9 +119,7 @@ TEST_F(LoopSearchInARoom, RefusesAWinnerAtTheBorderOnlyIfAsked) {
   candidate.submap_from_node_guess = kTruth * Pose2(0.4, 0.0, 0.0);
   candidate.linear_search_window = 0.25;
   ConstraintBuilderOptions options;
-  const auto search = [&] {
-    return SearchLoop(candidate, *ScanOf(points_), room_.grid(), matcher_, options);
-  };
+  const auto search = [&] { return Search(candidate, options); };
   EXPECT_EQ(search().verdict, Verdict::kAccepted);
   EXPECT_TRUE(IsAtBorder(search(), room_.grid().resolution()));
   options.ambiguity.refuse_at_border = true;

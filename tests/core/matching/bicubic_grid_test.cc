@@ -70,6 +70,25 @@ TEST(BicubicGrid, HasTheGradientOfItsValue) {
   }
 }
 
+TEST(BicubicGrid, HasTheCurvatureOfItsGradient) {
+  Random random(7);
+  const ProbabilityGrid grid = RandomGrid(&random);
+  const BicubicGrid smooth(grid);
+  for (int i = 0; i < 1000; ++i) {
+    const Eigen::Vector2d point = RandomPointIn(grid, &random);
+    const Eigen::Matrix2d hessian = SmoothValueAt(smooth, point).hessian;
+    constexpr double kStep = 1e-7;
+    for (int axis = 0; axis < 2; ++axis) {
+      const Eigen::Vector2d step = kStep * Eigen::Vector2d::Unit(axis);
+      const Eigen::Vector2d expected = (SmoothValueAt(smooth, point + step).gradient -
+                                        SmoothValueAt(smooth, point - step).gradient) /
+                                       (2.0 * kStep);
+      EXPECT_NEAR((hessian.col(axis) - expected).norm(), 0.0, 1e-2 + 1e-5 * expected.norm())
+          << "at " << point.transpose() << " expected " << expected.transpose();
+    }
+  }
+}
+
 TEST(BicubicGrid, IsTheSameAtManyPointsAsAtEach) {
   Random random(6);
   for (int i = 0; i < 20; ++i) {
@@ -83,6 +102,9 @@ TEST(BicubicGrid, IsTheSameAtManyPointsAsAtEach) {
       EXPECT_EQ(many.values[k], one.value);
       EXPECT_EQ(many.slopes_x[k], one.gradient.x());
       EXPECT_EQ(many.slopes_y[k], one.gradient.y());
+      EXPECT_EQ(many.curvatures_xx[k], one.hessian(0, 0));
+      EXPECT_EQ(many.curvatures_xy[k], one.hessian(0, 1));
+      EXPECT_EQ(many.curvatures_yy[k], one.hessian(1, 1));
     }
   }
 }

@@ -3,6 +3,7 @@
 #include "core/matching/branch_and_bound.h"
 
 #include <cmath>
+#include <functional>
 
 #include <gmock/gmock.h>
 
@@ -208,33 +209,83 @@ TEST(SearchWholeSubmap, FindsTheOptimumOfExhaustiveSearch) {
   }
 }
 
-// Whether a pose outside of the disc scores more is told by trying all (Algorithm 1).
-TEST(FindRival, FindsOneIfAndOnlyIfThereIsOne) {
+/// The best score in the window farther than `min_distance` [m] from `winner`, by trying all
+/// (Algorithm 1).
+double BestScoreElsewhere(const RandomWorld& world, const SearchWindow& window, const Pose2& winner,
+                          double min_distance) {
+  double best = 0.0;
+  ForEachPose(window, [&](CellIndex offset, int angle_index) {
+    const Pose2 pose = PlainPose(window, offset, angle_index);
+    if ((pose.translation - winner.translation).norm() <= min_distance) return;
+    best = std::max(best, PlainScore(world, pose));
+  });
+  return best;
+}
+
+/// Of rivals that must score a little less than the best pose elsewhere, that is the only one; of
+/// those that must score a little more, there is none. `search_with` is given a min_score that
+/// leaves out all but the winner, and the criterion.
+void ExpectTheOnlyRival(
+    const RandomWorld& world, const SearchWindow& window, const Pose2& winner, double min_distance,
+    const std::function<SearchOutcome(double min_score, const RivalCriterion&)>& search_with) {
+  const double best = BestScoreElsewhere(world, window, winner, min_distance);
+  const double min_score = PlainScore(world, winner) - 1e-6;
+  const double share = best / PlainScore(world, winner);
+  const SearchOutcome with = search_with(min_score, {min_distance, share - 1e-9});
+  EXPECT_EQ(with.winner->submap_from_scan, winner);
+  ASSERT_TRUE(with.rival);
+  EXPECT_NEAR(with.rival->score, best, kRounding);
+  EXPECT_NEAR(PlainScore(world, with.rival->submap_from_scan), best, kRounding);
+  EXPECT_GT((with.rival->submap_from_scan.translation - winner.translation).norm(), min_distance);
+  EXPECT_FALSE(search_with(min_score, {min_distance, share + 1e-9}).rival);
+}
+
+TEST(SearchWithRival, FindsTheOnlyOneOrNone) {
   constexpr double kMinDistance = 0.12;  // [m]
-  int num_rivals = 0;
+  int num_windows = 0;
   for (int seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
     const RandomSearch search(seed);
     SearchTrace trace;
     const SearchOutcome outcome = search.Run(0.0, &trace);
-    const double min_score = 0.85 * outcome.winner->score;
-    const Eigen::Vector2d winner = outcome.winner->submap_from_scan.translation;
-    double best_outside = 0.0;
-    ForEachPose(trace.window, [&](CellIndex offset, int angle_index) {
-      const Pose2 pose = PlainPose(trace.window, offset, angle_index);
-      if ((pose.translation - winner).norm() <= kMinDistance) return;
-      best_outside = std::max(best_outside, PlainScore(search.world(), pose));
-    });
-    const auto rival = search.FindRival(outcome.winner->submap_from_scan, kMinDistance, min_score);
-    if (std::abs(best_outside - min_score) < kRounding) continue;  // which side is rounding's
-    ASSERT_EQ(rival.has_value(), best_outside > min_score);
-    if (!rival) continue;
-    ++num_rivals;
-    EXPECT_GT(rival->score, min_score);
-    EXPECT_GT((rival->submap_from_scan.translation - winner).norm(), kMinDistance);
+    if (trace.window.num_linear_steps < 6) continue;  // nothing may lie so far away
+    ++num_windows;
+    ExpectTheOnlyRival(search.world(), trace.window, outcome.winner->submap_from_scan, kMinDistance,
+                       [&](double min_score, const RivalCriterion& rival) {
+                         return search.RunWithRival(min_score, rival);
+                       });
   }
-  EXPECT_GT(num_rivals, 5);
-  EXPECT_LT(num_rivals, 55);
+  EXPECT_GT(num_windows, 20);
+}
+
+/// Windows of many squares, and many angles that are bounded together.
+TEST(SearchWithRival, FindsTheOnlyOneOrNoneInWideWindows) {
+  constexpr double kLinearWindow = 1.5;   // [m]
+  constexpr double kAngularWindow = 0.3;  // [rad]
+  for (int seed = 0; seed < 30; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const RandomWorld world = MakeRandomWorld(&random);
+    const BranchAndBoundMatcher matcher(world.grid, 7);
+    const Pose2 guess =
+        world.submap_from_scan *
+        Pose2{random.Uniform(-1.0, 1.0), random.Uniform(-1.0, 1.0), random.Uniform(-0.2, 0.2)};
+    const SearchOutcome outcome =
+        matcher.Search(world.points_in_scan, guess, kLinearWindow, kAngularWindow, 0.0);
+    const SearchWindow window =
+        MakeSearchWindow(world.points_in_scan, guess, kLinearWindow, kAngularWindow, 0.05);
+    ExpectTheOnlyRival(world, window, outcome.winner->submap_from_scan, 0.2,
+                       [&](double min_score, const RivalCriterion& rival) {
+                         return matcher.SearchWithRival(world.points_in_scan, guess, kLinearWindow,
+                                                        kAngularWindow, min_score, rival);
+                       });
+  }
+}
+
+TEST(SearchWithRival, HasNoneWithoutAWinner) {
+  const SearchOutcome outcome = RandomSearch(1).RunWithRival(0.89, {0.12, 0.1});
+  EXPECT_FALSE(outcome.winner);
+  EXPECT_FALSE(outcome.rival);
 }
 
 TEST(SearchWholeSubmap, OfAnEmptySubmapFindsNothing) {

@@ -15,21 +15,18 @@ namespace {
 
 const CeresScanMatcherOptions kOptions{3.0, 10.0, 40.0, 20};
 
-Eigen::VectorXd ResidualsAt(const ScanMatchCost& cost, const Eigen::Vector3d& pose) {
-  Eigen::VectorXd residuals(cost.NumResiduals());
-  cost(pose.data(), residuals.data(), nullptr);
-  return residuals;
-}
-
-Eigen::MatrixXd NumericJacobian(const ScanMatchCost& cost, const Eigen::Vector3d& pose) {
+/// The derivatives at `pose` by differences.
+QuadraticModel NumericModel(const ScanMatchCost& cost, const Eigen::Vector3d& pose) {
   constexpr double kStep = 1e-6;
-  Eigen::MatrixXd jacobian(cost.NumResiduals(), 3);
+  QuadraticModel numeric;
   for (int i = 0; i < 3; ++i) {
     const Eigen::Vector3d step = kStep * Eigen::Vector3d::Unit(i);
-    jacobian.col(i) =
-        (ResidualsAt(cost, pose + step) - ResidualsAt(cost, pose - step)) / (2.0 * kStep);
+    const QuadraticModel after = cost.At(pose + step);
+    const QuadraticModel before = cost.At(pose - step);
+    numeric.gradient[i] = (after.cost - before.cost) / (2.0 * kStep);
+    numeric.hessian.col(i) = (after.gradient - before.gradient) / (2.0 * kStep);
   }
-  return jacobian;
+  return numeric;
 }
 
 Eigen::Vector3d RandomParameters(const RandomWorld& world, Random* random) {
@@ -38,46 +35,47 @@ Eigen::Vector3d RandomParameters(const RandomWorld& world, Random* random) {
           world.submap_from_scan.rotation + random->Uniform(-0.2, 0.2)};
 }
 
-TEST(ScanMatchCost, HasTheJacobianOfItsResiduals) {
+TEST(ScanMatchCost, HasTheDerivativesOfItself) {
   Random random(1);
   for (int i = 0; i < 50; ++i) {
     const RandomWorld world = MakeRandomWorld(&random);
     const ScanMatchCost cost(world.points_in_scan, world.grid, world.submap_from_scan.translation,
                              world.submap_from_scan.rotation, kOptions);
     const Eigen::Vector3d pose = RandomParameters(world, &random);
-    Eigen::VectorXd residuals(cost.NumResiduals());
-    Eigen::MatrixXd jacobian(cost.NumResiduals(), 3);
-    ASSERT_TRUE(cost(pose.data(), residuals.data(), jacobian.data()));
-    EXPECT_EQ(residuals, ResidualsAt(cost, pose));
-    EXPECT_NEAR((jacobian - NumericJacobian(cost, pose)).cwiseAbs().maxCoeff(), 0.0, 1e-2)
+    const QuadraticModel model = cost.At(pose);
+    const QuadraticModel numeric = NumericModel(cost, pose);
+    EXPECT_NEAR((model.gradient - numeric.gradient).norm(), 0.0, 1e-5 * numeric.gradient.norm())
         << "world " << i;
+    EXPECT_NEAR((model.hessian - numeric.hessian).norm(), 0.0, 1e-4 * numeric.hessian.norm())
+        << "world " << i;
+    EXPECT_EQ(model.hessian, model.hessian.transpose());
   }
 }
 
-TEST(ScanMatchCost, WeighsWhatEachPointLacksByTheNumberOfPoints) {
+TEST(ScanMatchCost, IsThatOfTheProbabilitiesAtThePointsAndOfThePriors) {
   Random random(2);
   const RandomWorld world = MakeRandomWorld(&random);
-  const ScanMatchCost cost(world.points_in_scan, world.grid, {0.0, 0.0}, 0.0, kOptions);
-  const int num_points = static_cast<int>(world.points_in_scan.size());
+  const ScanMatchCost cost(world.points_in_scan, world.grid, {5.0, 6.0}, 0.5, kOptions);
   const Eigen::Vector3d pose = RandomParameters(world, &random);
-  const Eigen::VectorXd residuals = ResidualsAt(cost, pose);
   const BicubicGrid smooth(world.grid);
-  ASSERT_EQ(residuals.size(), num_points + 3);
-  for (int k = 0; k < num_points; ++k) {
-    const Eigen::Vector2d point = Pose2(pose.x(), pose.y(), pose.z()) * world.points_in_scan[k];
-    EXPECT_NEAR(residuals[k],
-                3.0 / std::sqrt(num_points) * (1.0 - SmoothValueAt(smooth, point).value), 1e-9);
+  double sum = 0.0;
+  for (const Eigen::Vector2d& point : world.points_in_scan) {
+    const Eigen::Vector2d place = Pose2(pose.x(), pose.y(), pose.z()) * point;
+    sum += std::pow(1.0 - SmoothValueAt(smooth, place).value, 2);
   }
+  const double of_points = 9.0 / static_cast<double>(world.points_in_scan.size()) * sum;
+  const double of_priors = 100.0 * std::pow(pose.x() - 5.0, 2) +
+                           100.0 * std::pow(pose.y() - 6.0, 2) +
+                           1600.0 * std::pow(pose.z() - 0.5, 2);
+  EXPECT_NEAR(cost.At(pose).cost, 0.5 * (of_points + of_priors), 1e-9 * of_priors);
 }
 
-TEST(ScanMatchCost, EndsWithThePriorsOnTranslationAndRotation) {
+TEST(ScanMatchCost, IsThatOfThePriorsBesidesWhatIsMissingOffTheMap) {
   const PointCloud points = {{1.0, 0.0}};
   const ProbabilityGrid grid(0.05);
   const ScanMatchCost cost(points, grid, {5.0, 6.0}, 0.5, kOptions);
-  const Eigen::VectorXd residuals = ResidualsAt(cost, {5.1, 5.8, 0.8});
-  EXPECT_NEAR(residuals[1], 10.0 * 0.1, 1e-12);
-  EXPECT_NEAR(residuals[2], 10.0 * -0.2, 1e-12);
-  EXPECT_NEAR(residuals[3], 40.0 * 0.3, 1e-12);
+  const double missing = 9.0 * 0.9 * 0.9;
+  EXPECT_NEAR(cost.At({5.1, 5.8, 0.8}).cost, 0.5 * (missing + 1.0 + 4.0 + 144.0), 1e-9);
 }
 
 }  // namespace

@@ -35,7 +35,8 @@ std::vector<std::int64_t> Compute(std::uint64_t seed) {
   const PrecomputedGrids grids(world.grid, 4);
   std::vector<std::int64_t> numbers;
   const SmoothValues smooth = BicubicGrid(world.grid).At(world.points_in_scan);
-  for (const auto* values : {&smooth.values, &smooth.slopes_x, &smooth.slopes_y}) {
+  for (const auto* values : {&smooth.values, &smooth.slopes_x, &smooth.slopes_y,
+                             &smooth.curvatures_xx, &smooth.curvatures_xy, &smooth.curvatures_yy}) {
     for (const double value : *values) numbers.push_back(BitsOf(value));
   }
   const ProbabilityGrid wide = WithWideWalls(world.grid, 0.5);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/matching/ceres_scan_matcher.h"
+#include "core/matching/scan_match_refinement.h"
 
 #include <cmath>
 
@@ -19,13 +19,10 @@ const CeresScanMatcherOptions kWeakPriors{1.0, 0.1, 0.1, 50};
 double CostAt(const PointCloud& points, const ProbabilityGrid& grid, const Pose2& start,
               const Pose2& pose, const CeresScanMatcherOptions& options) {
   const ScanMatchCost cost(points, grid, start.translation, start.rotation, options);
-  const Eigen::Vector3d parameters(pose.x(), pose.y(), pose.rotation);
-  Eigen::VectorXd residuals(cost.NumResiduals());
-  cost(parameters.data(), residuals.data(), nullptr);
-  return 0.5 * residuals.squaredNorm();
+  return cost.At({pose.x(), pose.y(), pose.rotation}).cost;
 }
 
-TEST(MatchWithCeres, BringsAScanBackFromRandomOffsetsOfACell) {
+TEST(RefineScanMatch, BringsAScanBackFromRandomOffsetsOfACell) {
   const SimulatedRoom room;
   Random random(1);
   for (int i = 0; i < 50; ++i) {
@@ -34,20 +31,20 @@ TEST(MatchWithCeres, BringsAScanBackFromRandomOffsetsOfACell) {
     const Pose2 start{truth.x() + random.Uniform(-0.05, 0.05),
                       truth.y() + random.Uniform(-0.05, 0.05),
                       truth.rotation + random.Uniform(-0.05, 0.05)};
-    const CeresMatch match =
-        MatchWithCeres(room.ScanAt(truth), room.grid(), start.translation, start, kWeakPriors);
+    const RefinedMatch match =
+        RefineScanMatch(room.ScanAt(truth), room.grid(), start.translation, start, kWeakPriors);
     EXPECT_THAT(match.submap_from_scan, PoseNear(truth, 0.01, 0.004))
         << "start " << testing::PrintToString(start);
   }
 }
 
-TEST(MatchWithCeres, EndsAtAMinimumOfItsCost) {
+TEST(RefineScanMatch, EndsAtAMinimumOfItsCost) {
   const SimulatedRoom room;
   const Pose2 truth(2.0, 0.7, 0.4);
   const PointCloud points = room.ScanAt(truth);
   const Pose2 start = truth * Pose2(0.05, -0.03, 0.02);
-  const CeresMatch match =
-      MatchWithCeres(points, room.grid(), start.translation, start, kWeakPriors);
+  const RefinedMatch match =
+      RefineScanMatch(points, room.grid(), start.translation, start, kWeakPriors);
   EXPECT_NEAR(match.initial_cost, CostAt(points, room.grid(), start, start, kWeakPriors), 1e-12);
   const Pose2& end = match.submap_from_scan;
   EXPECT_NEAR(match.final_cost, CostAt(points, room.grid(), start, end, kWeakPriors), 1e-12);
@@ -62,42 +59,42 @@ TEST(MatchWithCeres, EndsAtAMinimumOfItsCost) {
   }
 }
 
-TEST(MatchWithCeres, StaysWhereStrongPriorsHoldIt) {
+TEST(RefineScanMatch, StaysWhereStrongPriorsHoldIt) {
   const SimulatedRoom room;
   const Pose2 truth(2.0, 0.7, 0.4);
   const Pose2 start = truth * Pose2(0.05, -0.03, 0.02);
-  const CeresMatch match = MatchWithCeres(room.ScanAt(truth), room.grid(), start.translation, start,
-                                          {1.0, 1e4, 1e4, 50});
+  const RefinedMatch match = RefineScanMatch(room.ScanAt(truth), room.grid(), start.translation,
+                                             start, {1.0, 1e4, 1e4, 50});
   EXPECT_THAT(match.submap_from_scan, PoseNear(start, 1e-5, 1e-5));
 }
 
-TEST(MatchWithCeres, IsPulledToTheTargetAndTheRotationOfTheStart) {
+TEST(RefineScanMatch, IsPulledToTheTargetAndTheRotationOfTheStart) {
   // Off the map nothing but the priors is left.
   const ProbabilityGrid nothing_known(0.05);
-  const CeresMatch match = MatchWithCeres({{1.0, 0.0}}, nothing_known, {7.0, 8.0},
-                                          Pose2(6.9, 8.2, 3.0), CeresScanMatcherOptions());
+  const RefinedMatch match = RefineScanMatch({{1.0, 0.0}}, nothing_known, {7.0, 8.0},
+                                             Pose2(6.9, 8.2, 3.0), CeresScanMatcherOptions());
   EXPECT_THAT(match.submap_from_scan, PoseNear(Pose2(7.0, 8.0, 3.0), 1e-6, 1e-9));
 }
 
-TEST(MatchWithCeres, StopsAfterTheIterationsItIsAllowed) {
+TEST(RefineScanMatch, StopsAfterTheIterationsItIsAllowed) {
   const SimulatedRoom room;
   const Pose2 truth(2.0, 0.7, 0.4);
   CeresScanMatcherOptions options = kWeakPriors;
   options.max_num_iterations = 2;
   const Pose2 start = truth * Pose2(0.05, -0.03, 0.02);
-  const CeresMatch match =
-      MatchWithCeres(room.ScanAt(truth), room.grid(), start.translation, start, options);
+  const RefinedMatch match =
+      RefineScanMatch(room.ScanAt(truth), room.grid(), start.translation, start, options);
   EXPECT_LE(match.num_iterations, 2);
 }
 
-TEST(MatchWithCeres, NormalizesTheRotation) {
+TEST(RefineScanMatch, NormalizesTheRotation) {
   const ProbabilityGrid nothing_known(0.05);
-  const CeresMatch match = MatchWithCeres({{1.0, 0.0}}, nothing_known, {0.0, 0.0},
-                                          Pose2(0.1, 0.0, 7.0), CeresScanMatcherOptions());
+  const RefinedMatch match = RefineScanMatch({{1.0, 0.0}}, nothing_known, {0.0, 0.0},
+                                             Pose2(0.1, 0.0, 7.0), CeresScanMatcherOptions());
   EXPECT_NEAR(match.submap_from_scan.rotation, 7.0 - 2.0 * M_PI, 1e-9);
 }
 
-TEST(CeresScanMatcher, FindsWhatCeresFindsWithAutomaticDerivatives) {
+TEST(RefineScanMatch, FindsWhatCeresFindsWithAutomaticDerivatives) {
   const SimulatedRoom room;
   const Pose2 truth(2.0, 0.8, 0.4);
   const PointCloud points = room.ScanAt(truth);
@@ -105,8 +102,9 @@ TEST(CeresScanMatcher, FindsWhatCeresFindsWithAutomaticDerivatives) {
   options.max_num_iterations = 50;
   for (const Pose2& error : {Pose2(0.03, -0.04, 0.02), Pose2(-0.05, 0.02, -0.03)}) {
     const Pose2 start = truth * error;
-    const CeresMatch match = MatchWithCeres(points, room.grid(), start.translation, start, options);
-    const CeresMatch plain =
+    const RefinedMatch match =
+        RefineScanMatch(points, room.grid(), start.translation, start, options);
+    const RefinedMatch plain =
         MatchWithAutomaticDerivatives(points, room.grid(), start.translation, start, options);
     EXPECT_NEAR(match.initial_cost, plain.initial_cost, 1e-6 * plain.initial_cost);
     EXPECT_THAT(match.submap_from_scan, PoseNear(plain.submap_from_scan, 1e-4, 1e-4));

@@ -8,7 +8,7 @@
 
 namespace loopscope {
 
-/// *.ceres_scan_matcher.
+/// *.ceres_scan_matcher. The paper leaves (CS) to Ceres, so that is what Cartographer calls them.
 struct CeresScanMatcherOptions {
   double occupied_space_weight = 1.0;
   double translation_weight = 10.0;  ///< on leaving the target, a metre
@@ -16,7 +16,7 @@ struct CeresScanMatcherOptions {
   int max_num_iterations = 20;
 };
 
-struct CeresMatch {
+struct RefinedMatch {
   Pose2 submap_from_scan;
   double initial_cost = 0.0;
   double final_cost = 0.0;
@@ -27,9 +27,12 @@ struct CeresMatch {
 ///   w_o^2 / K sum_k (1 - M_smooth(T_xi h_k))^2 + w_t^2 |t - t_target|^2 + w_r^2 (theta -
 ///   theta_start)^2
 /// with M_smooth bicubic in the grid. `target` is where the translation prior pulls to.
-CeresMatch MatchWithCeres(const PointCloud& points_in_scan, const ProbabilityGrid& grid,
-                          const Eigen::Vector2d& target_translation,
-                          const Pose2& submap_from_scan_start,
-                          const CeresScanMatcherOptions& options);
+///
+/// By Newton's method with all second derivatives. That of Gauss and Newton, which is Ceres', knows
+/// only the slopes of M_smooth; on a wall these are zero, and it gropes for the minimum.
+RefinedMatch RefineScanMatch(const PointCloud& points_in_scan, const ProbabilityGrid& grid,
+                             const Eigen::Vector2d& target_translation,
+                             const Pose2& submap_from_scan_start,
+                             const CeresScanMatcherOptions& options);
 
 }  // namespace loopscope
