@@ -15,6 +15,7 @@ namespace loopscope {
 namespace {
 
 constexpr double kMinScore = 0.55;
+constexpr int kDepth = 7;
 
 /// A finished submap, and a scan that was taken in it.
 struct Place {
@@ -43,18 +44,24 @@ struct Task {
   Pose2 guess;
 };
 
+SearchOutcome Search(const BranchAndBoundMatcher& matcher, const Task& task) {
+  return matcher.Search(Office().points, task.guess, task.linear_window, task.angular_window,
+                        task.min_score);
+}
+
 Task TaskOf(const benchmark::State& state) {
   const Pose2& truth = Office().submap_from_scan;
-  switch (state.range(0)) {
-    case 0:
-      return {1.0, DegreesToRadians(5.0), kMinScore, truth * Pose2(0.5, -0.4, 0.05)};
-    case 1:
-      return {7.0, DegreesToRadians(30.0), kMinScore, truth * Pose2(3.0, -2.0, 0.25)};
-    case 2:
-      return {7.0, DegreesToRadians(30.0), 0.85, truth * Pose2(3.0, -2.0, 0.25)};
-    default:
-      return {20.0, M_PI, kMinScore, truth * Pose2(3.0, -2.0, 0.25)};
+  const Task near{1.0, DegreesToRadians(5.0), kMinScore, truth * Pose2(0.5, -0.4, 0.05)};
+  const Task wide{7.0, DegreesToRadians(30.0), kMinScore, truth * Pose2(3.0, -2.0, 0.25)};
+  Task task = state.range(0) == 0 ? near : wide;
+  if (state.range(0) == 2) {
+    const BranchAndBoundMatcher matcher(Office().grid, kDepth);
+    task.min_score = Search(matcher, wide).best_found.score + 0.01;
+  } else if (state.range(0) == 3) {
+    task.linear_window = 20.0;
+    task.angular_window = M_PI;
   }
+  return task;
 }
 
 void NameTasks(benchmark::internal::Benchmark* benchmark) {
@@ -63,11 +70,10 @@ void NameTasks(benchmark::internal::Benchmark* benchmark) {
 
 void BM_BranchAndBound(benchmark::State& state) {
   const Task task = TaskOf(state);
-  const BranchAndBoundMatcher matcher(Office().grid, 7);
+  const BranchAndBoundMatcher matcher(Office().grid, kDepth);
   double score = 0.0;
   for (auto _ : state) {
-    const SearchOutcome outcome = matcher.Search(Office().points, task.guess, task.linear_window,
-                                                 task.angular_window, task.min_score);
+    const SearchOutcome outcome = Search(matcher, task);
     score = outcome.winner ? outcome.winner->score : 0.0;
   }
   state.counters["score"] = score;
@@ -76,7 +82,7 @@ BENCHMARK(BM_BranchAndBound)->Apply(NameTasks);
 
 void BM_PlainBranchAndBound(benchmark::State& state) {
   const Task task = TaskOf(state);
-  const PlainPrecomputedGrids grids(Office().grid, 7);
+  const PlainPrecomputedGrids grids(Office().grid, kDepth);
   const SearchWindow window =
       MakeSearchWindow(Office().points, task.guess, task.linear_window, task.angular_window, 0.05);
   double score = 0.0;
@@ -91,7 +97,7 @@ BENCHMARK(BM_PlainBranchAndBound)->Apply(NameTasks);
 // Those that a search asks for; the plain one needs one of each height.
 void BM_PrecomputeGrids(benchmark::State& state) {
   for (auto _ : state) {
-    const PrecomputedGrids grids(Office().grid, 7);
+    const PrecomputedGrids grids(Office().grid, kDepth);
     benchmark::DoNotOptimize(&grids.at_height(3));
     benchmark::DoNotOptimize(&grids.swept_at_height(3));
   }
@@ -99,7 +105,7 @@ void BM_PrecomputeGrids(benchmark::State& state) {
 BENCHMARK(BM_PrecomputeGrids)->Unit(benchmark::kMicrosecond);
 
 void BM_PlainPrecomputeGrids(benchmark::State& state) {
-  for (auto _ : state) PlainPrecomputedGrids(Office().grid, 7);
+  for (auto _ : state) PlainPrecomputedGrids(Office().grid, kDepth);
 }
 BENCHMARK(BM_PlainPrecomputeGrids)->Unit(benchmark::kMicrosecond);
 
