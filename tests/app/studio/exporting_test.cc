@@ -145,7 +145,7 @@ TEST_F(ExportingTest, APictureThatCannotBeWrittenIsTold) {
 }
 
 TEST_F(ExportingTest, APictureOfARunThatIsStillMappedCanBeExported) {
-  window().Run("file.open " + CopyOfLog());
+  window().Run("file.open " + CopyOfLongLog());
   WaitFor([&] { return session().last_step() > 20; }, "some scans are mapped");
   window().Run("step.seek 10");
   window().Run("file.export " + folder().Path("early.png"));

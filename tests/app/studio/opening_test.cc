@@ -6,7 +6,6 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QtTest>
-#include <filesystem>
 #include <set>
 
 #include "core/io/recording_file.h"
@@ -50,7 +49,7 @@ TEST_F(OpeningTest, ALogIsMappedToItsEndWhileTheSessionFollows) {
 }
 
 TEST_F(OpeningTest, AStepThatIsLookedAtStaysWhileTheMapGrows) {
-  window().Run("file.open " + CopyOfLog());
+  window().Run("file.open " + CopyOfLongLog());
   WaitFor([&] { return session().last_step() > 5; }, "some scans are mapped");
   window().Run("step.seek 5");
   WaitUntilIdle();
@@ -59,10 +58,7 @@ TEST_F(OpeningTest, AStepThatIsLookedAtStaysWhileTheMapGrows) {
 }
 
 TEST_F(OpeningTest, WhatWasMappedStaysWhenMappingIsStopped) {
-  // A second is long enough to stop it in.
-  const std::string log = folder().Path("office.log.gz");
-  std::filesystem::copy_file(LOOPSCOPE_SOURCE_DIR "/datasets/office.log.gz", log);
-  window().Run("file.open " + log);
+  window().Run("file.open " + CopyOfLongLog());
   WaitFor([&] { return session().last_step() > 5; }, "some scans are mapped");
   Play({"file.stop_mapping"});
   EXPECT_EQ(ReadRecording(session().path()).num_steps(), session().last_step() + 1);
@@ -81,7 +77,7 @@ TEST_F(OpeningTest, AFileWhoseReadingIsStoppedIsNotOpened) {
 }
 
 TEST_F(OpeningTest, AnotherFileReplacesTheOneThatIsMapped) {
-  window().Run("file.open " + CopyOfLog());
+  window().Run("file.open " + CopyOfLongLog());
   WaitFor([&] { return session().last_step() > 5; }, "some scans are mapped");
   OpenSmallLoop();
   EXPECT_EQ(session().path(), SmallLoopRecording());
@@ -89,7 +85,7 @@ TEST_F(OpeningTest, AnotherFileReplacesTheOneThatIsMapped) {
 }
 
 TEST_F(OpeningTest, TheRecordingThatIsMappedIsNotReadMeanwhile) {
-  window().Run("file.open " + CopyOfLog());
+  window().Run("file.open " + CopyOfLongLog());
   WaitFor([&] { return session().last_step() > 5; }, "some scans are mapped");
   window().Run("file.open " + session().path());
   EXPECT_THAT(window().message(), testing::HasSubstr("is being mapped"));
@@ -104,10 +100,10 @@ TEST_F(OpeningTest, TheFileAskedForLastIsTheOneThatIsOpened) {
 }
 
 TEST_F(OpeningTest, ClosingTheWindowEndsMappingAndKeepsWhatWasMapped) {
-  window().Run("file.open " + CopyOfLog());
+  window().Run("file.open " + CopyOfLongLog());
   WaitFor([&] { return session().last_step() > 5; }, "some scans are mapped");
   CloseWindow();
-  const Recording recording = ReadRecording(folder().Path("small_loop.loopscope"));
+  const Recording recording = ReadRecording(folder().Path("office.loopscope"));
   EXPECT_GT(recording.num_steps(), 5);
   EXPECT_LT(recording.num_steps(), static_cast<int>(recording.log().scans.size()));
 }

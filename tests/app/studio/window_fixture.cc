@@ -58,6 +58,12 @@ const ScanLog& SmallLoop() {
   return log;
 }
 
+std::string CopyInto(const TemporaryFolder& folder, const std::filesystem::path& file) {
+  const std::string copy = folder.Path(file.filename().string());
+  std::filesystem::copy_file(file, copy);
+  return copy;
+}
+
 }  // namespace
 
 WindowFixture::WindowFixture() {
@@ -168,10 +174,10 @@ const std::string& WindowFixture::SmallLoopLog() {
   return path;
 }
 
-std::string WindowFixture::CopyOfLog() const {
-  const std::string copy = folder_.Path("small_loop.log");
-  std::filesystem::copy_file(SmallLoopLog(), copy);
-  return copy;
+std::string WindowFixture::CopyOfLog() const { return CopyInto(folder_, SmallLoopLog()); }
+
+std::string WindowFixture::CopyOfLongLog() const {
+  return CopyInto(folder_, LOOPSCOPE_SOURCE_DIR "/datasets/office.log.gz");
 }
 
 }  // namespace loopscope

@@ -72,6 +72,8 @@ class WindowFixture : public ::testing::Test {
   static const std::string& SmallLoopLog();
   /// A copy of the log of the small loop, beside which a recording can be made.
   std::string CopyOfLog() const;
+  /// Likewise of the bundled log: a second is long enough to do something while it is mapped.
+  std::string CopyOfLongLog() const;
 
  private:
   TemporaryFolder folder_;
