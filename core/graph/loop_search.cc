@@ -27,13 +27,6 @@ SearchOutcome Search(const LoopCandidate& pair, const PointCloud& points_in_node
                                  {ambiguity.min_distance, ambiguity.max_relative_score});
 }
 
-Pose2 Refined(const Pose2& submap_from_node, const PointCloud& points_in_node,
-              const ProbabilityGrid& grid, const ConstraintBuilderOptions& options) {
-  return RefineScanMatch(points_in_node, grid, submap_from_node.translation, submap_from_node,
-                         options.ceres_scan_matcher)
-      .submap_from_scan;
-}
-
 /// A last look asks only for what the submap knows where the map has the node. Along a corridor,
 /// where it knows more a scan scores more, and may fit as well where the map has it: returns what
 /// that scores if it is elsewhere, or else 0.
@@ -41,7 +34,8 @@ double RivalAtTheGuess(const LoopCandidate& found, const PointCloud& points_in_n
                        const ProbabilityGrid& grid, const ConstraintBuilderOptions& options) {
   const double max_relative_score = options.ambiguity.max_relative_score;
   if (!found.last_look || max_relative_score >= 1.0) return 0.0;
-  const Pose2 at_guess = Refined(found.submap_from_node_guess, points_in_node, grid, options);
+  const Pose2 at_guess =
+      RefinedPose(points_in_node, grid, found.submap_from_node_guess, options.ceres_scan_matcher);
   const Pose2& winner = found.submap_from_node;
   const double distance = (at_guess.translation - winner.translation).norm();
   if (distance <= options.ambiguity.min_distance) return 0.0;
@@ -109,8 +103,8 @@ LoopCandidate SearchLoop(const LoopCandidate& candidate, const RangeData& scan_i
   result.submap_from_node = result.submap_from_node_searched;
   result.verdict = Verdict::kBelowMinScore;
   if (!outcome.winner) return Rounded(result);
-  result.submap_from_node =
-      Refined(result.submap_from_node_searched, points_in_node, grid, options);
+  result.submap_from_node = RefinedPose(points_in_node, grid, result.submap_from_node_searched,
+                                        options.ceres_scan_matcher);
   result.rival_score =
       outcome.rival ? outcome.rival->score : RivalAtTheGuess(result, points_in_node, grid, options);
   result.verdict = VerdictOnWinner(result, scan_in_node, grid, options);

@@ -62,10 +62,8 @@ ScanMatch MatchAroundPriors(const PointCloud& points_in_base, const ProbabilityG
 /// What a search found, refined.
 ScanMatch Refined(const Pose2& found, const PointCloud& points_in_base, const ProbabilityGrid& grid,
                   const CeresScanMatcherOptions& options) {
-  ScanMatch match{
-      found,
-      RefineScanMatch(points_in_base, grid, found.translation, found, options).submap_from_scan,
-      0.0, MatchStart::kRecovery};
+  ScanMatch match{found, RefinedPose(points_in_base, grid, found, options), 0.0,
+                  MatchStart::kRecovery};
   match.score = MeanProbability(points_in_base, match.submap_from_base, grid);
   return match;
 }

@@ -63,16 +63,6 @@ HWY_INLINE hn::Vec<Numbers> Weighted(const hn::Vec<Numbers> (&values)[4],
                  hn::Add(hn::Mul(values[2], weights.of[2]), hn::Mul(values[3], weights.of[3])));
 }
 
-/// Where to write what is found.
-struct Results {
-  double* values;
-  double* slopes_x;
-  double* slopes_y;
-  double* curvatures_xx;
-  double* curvatures_xy;
-  double* curvatures_yy;
-};
-
 /// Four cells side by side in each lane, 16 bits each, so many bytes after `cells`.
 template <typename Rows>
 HWY_INLINE hn::Vec<Rows> GatherRows(Rows rows, const CellValue* cells, hn::Vec<Rows> place) {
@@ -91,12 +81,12 @@ HWY_INLINE hn::Vec<Rows> GatherRows(Rows rows, const CellValue* cells, hn::Vec<R
 
 /// As many places as vectors of `numbers` have lanes, each at (t_x, t_y) in [0, 1) from the second
 /// of four cells in the second of four rows, the first of which is so many bytes after `cells`.
-/// Rows are `row_size` bytes apart.
+/// Rows are `row_size` bytes apart. The places are points `first` and those behind it.
 template <typename Numbers>
 HWY_INLINE void Interpolate(Numbers numbers, const CellValue* cells,
                             hn::Vec<hn::RebindToSigned<Numbers>> place, int row_size,
                             hn::Vec<Numbers> t_x, hn::Vec<Numbers> t_y, double resolution,
-                            const Results& results) {
+                            std::size_t first, SmoothValues* found) {
   const hn::RebindToSigned<Numbers> rows;
   // Unknown cells, which are 0, count as those with the least probability, which are 1.
   const auto one = hn::Set(numbers, 1.0);
@@ -127,47 +117,38 @@ HWY_INLINE void Interpolate(Numbers numbers, const CellValue* cells,
   const auto steps = hn::Sub(Weighted<Numbers>(values, weights_y), one);
   hn::StoreU(hn::Add(hn::Set(numbers, kMinProbability),
                      hn::Mul(hn::Set(numbers, kProbabilityStep), steps)),
-             numbers, results.values);
+             numbers, &found->values[first]);
   const auto store = [&](double scale, const hn::Vec<Numbers>(&of_rows)[4],
-                         const Weights<Numbers>& weights, double* to) HWY_ATTR {
-    hn::StoreU(hn::Mul(hn::Set(numbers, scale), Weighted<Numbers>(of_rows, weights)), numbers, to);
+                         const Weights<Numbers>& weights, std::vector<double>* to) HWY_ATTR {
+    hn::StoreU(hn::Mul(hn::Set(numbers, scale), Weighted<Numbers>(of_rows, weights)), numbers,
+               &(*to)[first]);
   };
   const Weights<Numbers> slopes_y = CubicSlopes(numbers, t_y);
   const double per_meter = kProbabilityStep / resolution;
-  store(per_meter, slopes, weights_y, results.slopes_x);
-  store(per_meter, values, slopes_y, results.slopes_y);
+  store(per_meter, slopes, weights_y, &found->slopes_x);
+  store(per_meter, values, slopes_y, &found->slopes_y);
   const double per_square_meter = per_meter / resolution;
-  store(per_square_meter, curvatures, weights_y, results.curvatures_xx);
-  store(per_square_meter, slopes, slopes_y, results.curvatures_xy);
-  store(per_square_meter, values, CubicCurvatures(numbers, t_y), results.curvatures_yy);
+  store(per_square_meter, curvatures, weights_y, &found->curvatures_xx);
+  store(per_square_meter, slopes, slopes_y, &found->curvatures_xy);
+  store(per_square_meter, values, CubicCurvatures(numbers, t_y), &found->curvatures_yy);
 }
 
-/// At one point, whose neighbours the grid need not hold.
-void InterpolateOne(const ProbabilityGrid& grid, const Eigen::Vector2d& point,
-                    const Results& results) {
+/// At point `index` alone, whose neighbours the grid need not hold.
+void InterpolateOne(const ProbabilityGrid& grid, const PointCloud& points, std::size_t index,
+                    SmoothValues* found) {
   const hn::CappedTag<double, 1> number;
   const hn::RebindToSigned<decltype(number)> rows;
-  const double u = point.x() / grid.resolution();
-  const double v = point.y() / grid.resolution();
+  const double u = points[index].x() / grid.resolution();
+  const double v = points[index].y() / grid.resolution();
   const int x = FloorToInt(u);
   const int y = FloorToInt(v);
   CellValue cells[16];
   for (int i = 0; i < 16; ++i) cells[i] = grid.value({x - 1 + i % 4, y - 1 + i / 4});
   Interpolate(number, cells, hn::Zero(rows), 4 * sizeof(CellValue), hn::Set(number, u - x),
-              hn::Set(number, v - y), grid.resolution(), results);
+              hn::Set(number, v - y), grid.resolution(), index, found);
 }
 
 void InterpolateHere(const ProbabilityGrid& grid, const PointCloud& points, SmoothValues* found) {
-  Results results{found->values.data(),        found->slopes_x.data(),
-                  found->slopes_y.data(),      found->curvatures_xx.data(),
-                  found->curvatures_xy.data(), found->curvatures_yy.data()};
-  const auto advance = [&results](std::size_t count) {
-    for (double** const next :
-         {&results.values, &results.slopes_x, &results.slopes_y, &results.curvatures_xx,
-          &results.curvatures_xy, &results.curvatures_yy}) {
-      *next += count;
-    }
-  };
   std::size_t i = 0;
 #if HWY_TARGET != HWY_SCALAR
   const hn::ScalableTag<double> numbers;
@@ -197,20 +178,17 @@ void InterpolateHere(const ProbabilityGrid& grid, const PointCloud& points, Smoo
                   hn::PromoteTo(hn::RebindToSigned<decltype(numbers)>(),
                                 hn::IfThenElseZero(is_inside, place)),
                   box.width * int{sizeof(CellValue)}, hn::Sub(u, floor_u), hn::Sub(v, floor_v),
-                  grid.resolution(), results);
+                  grid.resolution(), i, found);
     }
     std::uint8_t inside_bits[8] = {};  // StoreMaskBits writes whole bytes
     hn::StoreMaskBits(ints, is_inside, inside_bits);
-    for (std::size_t k = 0; k < num_lanes; ++k, advance(1)) {
+    for (std::size_t k = 0; k < num_lanes; ++k) {
       const bool lane_is_inside = ((inside_bits[k / 8] >> (k % 8)) & 1) != 0;
-      if (!lane_is_inside) InterpolateOne(grid, points[i + k], results);
+      if (!lane_is_inside) InterpolateOne(grid, points, i + k, found);
     }
   }
 #endif
-  for (; i < points.size(); ++i) {
-    InterpolateOne(grid, points[i], results);
-    advance(1);
-  }
+  for (; i < points.size(); ++i) InterpolateOne(grid, points, i, found);
 }
 
 }  // namespace loopscope::HWY_NAMESPACE

@@ -41,4 +41,11 @@ RefinedMatch RefineScanMatch(const PointCloud& points_in_scan, const Probability
           minimum.final_cost, minimum.num_iterations};
 }
 
+Pose2 RefinedPose(const PointCloud& points_in_scan, const ProbabilityGrid& grid,
+                  const Pose2& submap_from_scan_start, const CeresScanMatcherOptions& options) {
+  return RefineScanMatch(points_in_scan, grid, submap_from_scan_start.translation,
+                         submap_from_scan_start, options)
+      .submap_from_scan;
+}
+
 }  // namespace loopscope

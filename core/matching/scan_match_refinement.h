@@ -35,4 +35,8 @@ RefinedMatch RefineScanMatch(const PointCloud& points_in_scan, const Probability
                              const Pose2& submap_from_scan_start,
                              const CeresScanMatcherOptions& options);
 
+/// The pose that this finds if the start is the target, too.
+Pose2 RefinedPose(const PointCloud& points_in_scan, const ProbabilityGrid& grid,
+                  const Pose2& submap_from_scan_start, const CeresScanMatcherOptions& options);
+
 }  // namespace loopscope

@@ -68,6 +68,16 @@ TEST(MinimizeInTrustRegion, LeavesASaddleDownhill) {
   EXPECT_NEAR((minimum.point - Eigen::Vector3d::UnitX()).norm(), 0.0, 1e-2);
 }
 
+TEST(MinimizeInTrustRegion, StepsFromASaddleAsFarAsItsCurvatureSays) {
+  const Eigen::Vector3d start(0.05, 0.0, 0.0);
+  const QuadraticModel model = TwoValleys(start);
+  const TrustRegionMinimum one_step =
+      MinimizeInTrustRegion(TwoValleys, start, {Eigen::Vector3d::Ones(), 0.5, 1});
+  const double step = model.gradient.x() / model.hessian(0, 0);
+  ASSERT_LT(model.hessian(0, 0), 0.0);
+  EXPECT_NEAR((one_step.point - start - Eigen::Vector3d(step, 0.0, 0.0)).norm(), 0.0, 1e-12);
+}
+
 TEST(MinimizeInTrustRegion, NeverGoesUp) {
   for (int num_iterations = 0; num_iterations < 20; ++num_iterations) {
     const TrustRegionMinimum minimum = MinimizeInTrustRegion(
