@@ -16,6 +16,7 @@ namespace {
 
 void SetBackground(const Color& color, vtkRenderer* renderer) {
   renderer->SetBackground(color.r / 255.0, color.g / 255.0, color.b / 255.0);
+  renderer->SetBackgroundAlpha(color.a / 255.0);
 }
 
 void LookFrom(const SideView& side, const FlatCamera& flat, double height, vtkRenderer* renderer) {
@@ -44,6 +45,7 @@ vtkSmartPointer<vtkRenderer> PanelRenderer(const Panel& panel, const Scene& scen
   renderer->SetViewport(panel.frame.left / scene.width, panel.frame.bottom / scene.height,
                         panel.frame.right() / scene.width, panel.frame.top() / scene.height);
   FillRenderer(panel, renderer);
+  renderer->SetPreserveColorBuffer(panel.canvas.a == 0);
   return renderer;
 }
 
@@ -140,7 +142,9 @@ void Clear(vtkRenderWindow* window) {
 
 void Show(const Scene& scene, vtkRenderWindow* window) {
   Clear(window);
-  window->AddRenderer(PanelRenderer(SheetOf(scene), scene));
+  const auto sheet = PanelRenderer(SheetOf(scene), scene);
+  sheet->SetPreserveColorBuffer(false);  // what is left of the picture before
+  window->AddRenderer(sheet);
   for (const Panel& panel : scene.panels) window->AddRenderer(PanelRenderer(panel, scene));
 }
 

@@ -61,7 +61,7 @@ struct LayerProp {
 struct Panel {
   Box frame;  ///< [px] of the picture
   FlatCamera camera;
-  Color canvas;  ///< where nothing is drawn
+  Color canvas;  ///< where nothing is drawn; if clear, what is beneath the panel is seen there
   std::vector<LayerProp> props;
   bool is_map = true;  ///< its coordinates are metres of a map; false for a chart or from the side
   std::optional<SideView> side = std::nullopt;  ///< straight down without it

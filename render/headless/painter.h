@@ -12,6 +12,8 @@
 
 namespace loopscope {
 
+class Ground;
+
 /// Draws scenes without a display. All painters of a process must use the same back end: OpenGL is
 /// loaded once. It belongs to one thread at a time.
 class Painter {
@@ -28,6 +30,8 @@ class Painter {
   Picture Draw(DerivedCache* cache, const ViewRequest& request);
 
  private:
+  Picture Blend(const Ground& ground, const Scene& scene);
+
   vtkSmartPointer<OffscreenWindow> window_;
 };
 
