@@ -53,10 +53,11 @@ class Beam {
 
 double ShareFromBehind(const RangeData& scan, const Pose2& submap_from_scan,
                        const ProbabilityGrid& grid) {
+  const Eigen::Vector2d origin = submap_from_scan * scan.origin;
   int num_on_walls = 0;
   int num_from_behind = 0;
-  for (const Eigen::Vector2d& point : scan.returns) {
-    const Beam beam(submap_from_scan * scan.origin, submap_from_scan * point, grid);
+  for (const Eigen::Vector2d& point : Transform(submap_from_scan, scan.returns)) {
+    const Beam beam(origin, point, grid);
     if (!beam.EndsOnWall()) continue;
     ++num_on_walls;
     if (beam.ComesFromBehind()) ++num_from_behind;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <libdeflate.h>
+#include <memory>
 #include <zlib.h>
 
 #include "core/io/file_error.h"
@@ -11,12 +13,13 @@
 namespace loopscope {
 
 std::string Compress(std::string_view bytes) {
-  uLongf size = compressBound(bytes.size());
-  std::string compressed(size, '\0');
-  [[maybe_unused]] const int result =
-      compress2(reinterpret_cast<Bytef*>(compressed.data()), &size,
-                reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), Z_BEST_COMPRESSION);
-  assert(result == Z_OK);
+  constexpr int kLevel = 9;  // of 12
+  const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
+      libdeflate_alloc_compressor(kLevel), &libdeflate_free_compressor);
+  std::string compressed(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()), '\0');
+  const std::size_t size = libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(),
+                                                    compressed.data(), compressed.size());
+  assert(size > 0);
   compressed.resize(size);
   return compressed;
 }

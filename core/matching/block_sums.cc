@@ -169,7 +169,7 @@ std::int32_t MaxOfBlocksHere(const std::int32_t* rows, int num_rows, int num_col
   }
   return greatest;
 #else
-  const hn::CappedTag<std::int32_t, kBlocksPerSide> ints;
+  const hn::CappedTag<std::int32_t, kBlocksPerSide / 2> ints;
   const int num_lanes = static_cast<int>(hn::Lanes(ints));
   auto greatest = hn::Set(ints, rows[0]);
   for (int column = 0; column < num_columns; column += num_lanes) {
@@ -234,9 +234,8 @@ BlockSums SumBlocks(const PrecomputedGrid& grid, const CellIndex* cells, std::si
   return totals;
 }
 
-std::int32_t MaxOfBlocks(const BlockSums& sums, int row, int num_rows, int num_columns) {
-  return HWY_DYNAMIC_DISPATCH(MaxOfBlocksHere)(sums.data() + row * kBlocksPerSide, num_rows,
-                                               num_columns);
+std::int32_t MaxOfBlocks(const std::int32_t* first, int num_rows, int num_columns) {
+  return HWY_DYNAMIC_DISPATCH(MaxOfBlocksHere)(first, num_rows, num_columns);
 }
 
 void MaximaOfShifted(std::uint8_t* values, std::size_t shift, std::size_t count) {

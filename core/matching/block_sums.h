@@ -25,8 +25,9 @@ using BlockSums = std::array<std::int32_t, kBlocksPerSide * kBlocksPerSide>;
 BlockSums SumBlocks(const PrecomputedGrid& grid, const CellIndex* cells, std::size_t num_cells,
                     CellIndex offset, int num_rows = kBlocksPerSide);
 
-/// The largest of the first `num_columns` entries of `num_rows` rows of BlockSums, from `row` on.
-std::int32_t MaxOfBlocks(const BlockSums& sums, int row, int num_rows, int num_columns);
+/// The largest of `num_rows` x `num_columns` entries of BlockSums, of which `first` is the first.
+/// Memory up to the next multiple of four columns is read.
+std::int32_t MaxOfBlocks(const std::int32_t* first, int num_rows, int num_columns);
 
 /// values[i] = max(values[i], values[i + shift]) for i = 0 ... count - 1, in this order.
 void MaximaOfShifted(std::uint8_t* values, std::size_t shift, std::size_t count);

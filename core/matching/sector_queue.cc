@@ -78,7 +78,8 @@ void SectorQueue::AddRowsOfSquare(const Sector& square, const std::vector<CellIn
     Sector sector = square;
     sector.first.y += row << height;
     sector.last.y = std::min(sector.first.y + (kRowsPerSector << height) - 1, square.last.y);
-    sector.bound = MaxOfBlocks(sums, row, std::min(kRowsPerSector, num_rows - row), num_columns);
+    sector.bound = MaxOfBlocks(&sums[row * kBlocksPerSide],
+                               std::min(kRowsPerSector, num_rows - row), num_columns);
     sectors_.push(sector);
   }
 }

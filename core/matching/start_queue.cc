@@ -2,23 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/matching/start_queue.h"
 
-#include <algorithm>
-
 namespace loopscope {
 namespace {
 
 constexpr int kPartsPerSide = 1 << StartQueue::kHeightsDownToParts;
 static_assert(2 * kPartsPerSide == kBlocksPerSide, "a group has as many parts as a square blocks");
-
-/// Of those that make up a block, from `first` on.
-std::int32_t HighestOf(const BlockSums& parts, int first) {
-  std::int32_t highest = 0;
-  for (int row = 0; row < kPartsPerSide; ++row) {
-    const auto begin = parts.begin() + first + row * kBlocksPerSide;
-    highest = std::max(highest, *std::max_element(begin, begin + kPartsPerSide));
-  }
-  return highest;
-}
 
 }  // namespace
 
@@ -63,7 +51,8 @@ void StartQueue::RefineTop(const BlockSums& parts) {
   for (const int in_group : {0, 1, kBlocksPerSide, kBlocksPerSide + 1}) {
     const int place = group + in_group;
     if (square.sums[place] == kTaken) continue;
-    square.sums[place] = HighestOf(parts, kPartsPerSide * in_group);
+    square.sums[place] =
+        MaxOfBlocks(&parts[kPartsPerSide * in_group], kPartsPerSide, kPartsPerSide);
     square.is_refined |= std::uint64_t{1} << place;
   }
   PushBest(index);

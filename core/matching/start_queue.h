@@ -30,7 +30,7 @@ struct SearchSquare {
             first_trace_index < 0 ? -1 : first_trace_index + row * num_columns + column};
   }
 
-  int MaxSum() const { return MaxOfBlocks(sums, 0, num_rows, num_columns); }
+  int MaxSum() const { return MaxOfBlocks(sums.data(), num_rows, num_columns); }
 
   /// The greatest, of which `max_sum` is the sum.
   SearchBlock Best(int max_sum) const;

@@ -8,12 +8,11 @@ namespace loopscope {
 
 RangeData ToRangeData(const LaserScan& scan, const BeamGeometry& beams,
                       const Pose2& base_from_laser, const RangeOptions& options) {
-  RangeData data;
-  data.origin = base_from_laser.translation;
+  RangeData data;  // as the laser sees it
   data.returns.reserve(scan.ranges.size());
-  const auto point_at = [&](int beam, double range) -> Eigen::Vector2d {
+  const auto point_at = [&](int beam, double range) {
     const double angle = beams.Angle(beam);
-    return base_from_laser * Eigen::Vector2d(range * std::cos(angle), range * std::sin(angle));
+    return Eigen::Vector2d(range * std::cos(angle), range * std::sin(angle));
   };
   for (int beam = 0; beam < static_cast<int>(scan.ranges.size()); ++beam) {
     const double range = scan.ranges[beam];
@@ -24,7 +23,7 @@ RangeData ToRangeData(const LaserScan& scan, const BeamGeometry& beams,
       data.misses.push_back(point_at(beam, options.missing_data_ray_length));
     }
   }
-  return data;
+  return Transform(base_from_laser, data);
 }
 
 PointCloud Transform(const Pose2& target_from_source, const PointCloud& points_in_source) {

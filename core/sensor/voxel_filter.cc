@@ -58,6 +58,17 @@ PointCloud DropBeyond(const PointCloud& points, double max_range) {
   return near;
 }
 
+/// Whether points lie in at least `count` voxels.
+bool HasVoxels(const PointCloud& points, double voxel_size, int count) {
+  VoxelSet taken(points.size());
+  int num_voxels = 0;
+  for (const Eigen::Vector2d& point : points) {
+    num_voxels += taken.Insert(VoxelKey(point, voxel_size));
+    if (num_voxels >= count) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 PointCloud VoxelFilter(const PointCloud& points, double voxel_size) {
@@ -73,27 +84,19 @@ PointCloud VoxelFilter(const PointCloud& points, double voxel_size) {
 PointCloud AdaptiveVoxelFilter(const PointCloud& points,
                                const AdaptiveVoxelFilterOptions& options) {
   const PointCloud near = DropBeyond(points, options.max_range);
-  const auto enough = [&](const PointCloud& filtered) {
-    return static_cast<int>(filtered.size()) >= options.min_num_points;
+  const auto enough_voxels_of = [&](double voxel_size) {
+    return HasVoxels(near, voxel_size, options.min_num_points);
   };
-  if (!enough(near)) return near;
-  PointCloud filtered = VoxelFilter(near, options.max_length);
-  if (enough(filtered)) return filtered;
+  if (static_cast<int>(near.size()) < options.min_num_points) return near;
+  if (enough_voxels_of(options.max_length)) return VoxelFilter(near, options.max_length);
   for (double high = options.max_length; high > 1e-2 * options.max_length; high /= 2.0) {
     double low = high / 2.0;
-    filtered = VoxelFilter(near, low);
-    if (!enough(filtered)) continue;
+    if (!enough_voxels_of(low)) continue;
     for (double top = high; (top - low) / low > 1e-1;) {
       const double middle = (low + top) / 2.0;
-      PointCloud candidate = VoxelFilter(near, middle);
-      if (enough(candidate)) {
-        low = middle;
-        filtered = std::move(candidate);
-      } else {
-        top = middle;
-      }
+      (enough_voxels_of(middle) ? low : top) = middle;
     }
-    return filtered;
+    return VoxelFilter(near, low);
   }
   return near;
 }
