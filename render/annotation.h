@@ -37,7 +37,7 @@ struct ColorBar {
 
   std::string title;  ///< what the colours measure, with its unit
   ColorMap colors;
-  std::vector<Tick> ticks;  ///< from left to right
+  std::vector<Tick> ticks;  ///< the most important first
 };
 
 /// All that is said around the maps of a picture.

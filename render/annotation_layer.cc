@@ -119,13 +119,15 @@ void AnnotationPen::DrawColorBar(const ColorBar& bar, Box box) {
 
 void AnnotationPen::DrawTicks(const std::vector<ColorBar::Tick>& ticks, const Box& colors,
                               const Box& labels) {
-  double free_from = labels.left;  // a label that would touch the one before it is left out
+  std::vector<Box> written;  // a label that would touch one of these is left out
   for (const ColorBar::Tick& tick : ticks) {
     const double width = TextWidth(tick.label, FaintInk());
     const double x = colors.left + tick.place * colors.width;
     const double left = std::max(labels.left, std::min(x - 0.5 * width, labels.right() - width));
-    if (left < free_from || left + width > labels.right()) continue;
-    free_from = left + width + 0.5 * size_.font;
+    const Box label{left, labels.bottom, width + 0.5 * size_.font, labels.height};
+    const auto touches = [&](const Box& other) { return Overlap(label, other); };
+    if (width > labels.width || std::any_of(written.begin(), written.end(), touches)) continue;
+    written.push_back(label);
     thin_.AddLine({x, colors.bottom}, {x, colors.bottom - 0.25 * size_.font}, palette_.faint_ink);
     Write(tick.label, FaintInk(), Align::kLeft, left, labels.center_y() - 0.1 * size_.font);
   }

@@ -58,6 +58,8 @@ Palette DefaultPalette() {
   p.expanded = Rgb(0x111111);
   p.hatch = WithOpacity(Rgb(0x3c444d), 0.55);
   p.winner = Rgb(0xe5178f);
+  p.rival = Rgb(0x9334e6);
+  p.from_behind = Rgb(0x00897b);
   p.too_low = Rgb(0x8d949c);
   p.trajectory = HueOf(0);
   p.node = Rgb(0xffffff);
@@ -94,6 +96,8 @@ Palette ColorBlindPalette() {
   p.refined = kBlue;
   p.window = kBlue;
   p.winner = kVermilion;
+  p.rival = kPurple;
+  p.from_behind = kGreen;
   p.trajectory = kBlue;
   p.robot = kVermilion;
   p.axis_x = kVermilion;

@@ -85,7 +85,9 @@ struct Palette {
   Color expanded;
   Color hatch;  ///< of pruned blocks
   Color winner;
-  Color too_low;  ///< the score of a search that found nothing
+  Color rival;        ///< another place where the scan fits as well
+  Color from_behind;  ///< returns on walls that the submap knows from the other side only
+  Color too_low;      ///< the score of a search that found nothing
 
   // Graph.
   Color trajectory;

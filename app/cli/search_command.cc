@@ -87,10 +87,13 @@ void PrintTree(const SearchTrace& trace) {
   }
 }
 
+bool IsFound(const LoopCandidate& result) { return result.verdict != Verdict::kBelowMinScore; }
+
 void PrintFound(const LoopCandidate& result) {
   fmt::print("score     {:.4f}, needed {:.4f}; no pose has more than {:.4f}\n", result.score,
              result.min_score, result.score_bound);
-  fmt::print("found at  {}\n", ToText(result.submap_from_node_searched));
+  fmt::print("{:<10}{}\n", IsFound(result) ? "found at" : "best at",
+             ToText(result.submap_from_node_searched));
 }
 
 void PrintSearch(const SearchReplay& search) {
@@ -102,19 +105,24 @@ void PrintSearch(const SearchReplay& search) {
              search.recorded ? "as the mapper searched it" : "the mapper did not search it");
   fmt::print("guess     {}\n", ToText(search.candidate.submap_from_node_guess));
   fmt::print("window    +-{:.2f} m in steps of {:g} m, +-{:.1f} deg in steps of {:.3f} deg\n",
-             window.num_linear_steps * window.resolution, window.resolution,
-             RadiansToDegrees(window.num_angular_steps * window.angular_step),
-             RadiansToDegrees(window.angular_step));
+             result.linear_search_window, window.resolution,
+             RadiansToDegrees(result.angular_search_window), RadiansToDegrees(window.angular_step));
   fmt::print("poses     {:.0f}, of which {:.0f} nodes of the tree were scored ({:.2g} %)\n",
              num_poses, num_scored, 100.0 * num_scored / num_poses);
   PrintFound(result);
-  if (search.trace.winner >= 0) fmt::print("refined   {}\n", ToText(result.submap_from_node));
+  if (IsFound(result)) fmt::print("refined   {}\n", ToText(result.submap_from_node));
   if (search.recorded) fmt::print("verdict   {}\n", ToString(search.candidate.verdict));
   PrintTree(search.trace);
 }
 
 nlohmann::ordered_json ToJson(const Pose2& pose) {
   return {{"x", pose.x()}, {"y", pose.y()}, {"rotation", pose.rotation}};
+}
+
+/// Null if nothing was found to refine.
+nlohmann::ordered_json RefinedToJson(const LoopCandidate& result) {
+  if (!IsFound(result)) return nullptr;
+  return ToJson(result.submap_from_node);
 }
 
 void PrintJson(const SearchReplay& search) {
@@ -143,7 +151,8 @@ void PrintJson(const SearchReplay& search) {
                                        {"min_score", result.min_score},
                                        {"score_bound", result.score_bound},
                                        {"searched", ToJson(result.submap_from_node_searched)},
-                                       {"refined", ToJson(result.submap_from_node)},
+                                       {"found", IsFound(result)},
+                                       {"refined", RefinedToJson(result)},
                                        {"winner", search.trace.winner},
                                        {"nodes", std::move(nodes)}})
                    .dump(1)
@@ -156,7 +165,7 @@ void PrintWhole(const LoopCandidate& found) {
              ToString(found.submap));
   fmt::print("guess     {}\n", ToText(found.submap_from_node_guess));
   PrintFound(found);
-  if (found.verdict == Verdict::kBelowMinScore) return;
+  if (!IsFound(found)) return;
   const Pose2 guess_from_node = found.submap_from_node_guess.Inverse() * found.submap_from_node;
   fmt::print("refined   {}\n", ToText(found.submap_from_node));
   fmt::print("off by    {:.3f} m, {:.2f} deg from the guess\n", guess_from_node.translation.norm(),
@@ -171,7 +180,8 @@ void PrintWholeJson(const LoopCandidate& found) {
                                        {"min_score", found.min_score},
                                        {"score_bound", found.score_bound},
                                        {"searched", ToJson(found.submap_from_node_searched)},
-                                       {"refined", ToJson(found.submap_from_node)}})
+                                       {"found", IsFound(found)},
+                                       {"refined", RefinedToJson(found)}})
                    .dump(1)
             << "\n";
 }
@@ -201,7 +211,7 @@ int SearchWhole(const Recording& recording, SubmapId submap, NodeId node,
   } else {
     PrintWhole(*found);
   }
-  return found->verdict == Verdict::kBelowMinScore ? 1 : 0;
+  return IsFound(*found) ? 0 : 1;
 }
 
 int RunSearch(const SearchArguments& arguments) {
@@ -218,7 +228,7 @@ int RunSearch(const SearchArguments& arguments) {
     PrintSearch(*search);
   }
   if (!arguments.output.empty()) DrawSearch(recording, arguments);
-  return search->trace.winner >= 0 ? 0 : 1;
+  return IsFound(search->result) ? 0 : 1;
 }
 
 }  // namespace

@@ -28,26 +28,29 @@ SearchOutcome Search(const LoopCandidate& pair, const PointCloud& points_in_node
 }
 
 /// A last look asks only for what the submap knows where the map has the node. Along a corridor,
-/// where it knows more a scan scores more, and may fit as well where the map has it: returns what
-/// that scores if it is elsewhere, or else 0.
-double RivalAtTheGuess(const LoopCandidate& found, const PointCloud& points_in_node,
-                       const ProbabilityGrid& grid, const ConstraintBuilderOptions& options) {
+/// where it knows more a scan scores more, and may fit as well where the map has it: that is a
+/// rival if it is elsewhere.
+std::optional<SearchResult> RivalAtTheGuess(const LoopCandidate& found,
+                                            const PointCloud& points_in_node,
+                                            const ProbabilityGrid& grid,
+                                            const ConstraintBuilderOptions& options) {
   const double max_relative_score = options.ambiguity.max_relative_score;
-  if (!found.last_look || max_relative_score >= 1.0) return 0.0;
+  if (!found.last_look || max_relative_score >= 1.0) return std::nullopt;
   const Pose2 at_guess =
       RefinedPose(points_in_node, grid, found.submap_from_node_guess, options.ceres_scan_matcher);
   const Pose2& winner = found.submap_from_node;
   const double distance = (at_guess.translation - winner.translation).norm();
-  if (distance <= options.ambiguity.min_distance) return 0.0;
+  if (distance <= options.ambiguity.min_distance) return std::nullopt;
   const double relative_score =
       RelativeScoreOfKnown(points_in_node, at_guess, winner, grid, options.last_look);
-  return relative_score > max_relative_score ? relative_score * found.score : 0.0;
+  if (relative_score <= max_relative_score) return std::nullopt;
+  return SearchResult{at_guess, relative_score * found.score};
 }
 
 bool IsFromBehind(const LoopCandidate& found, const RangeData& scan_in_node,
                   const ProbabilityGrid& grid, const WallSidesOptions& options) {
   return options.max_share_from_behind < 1.0 &&
-         ShareFromBehind(scan_in_node, found.submap_from_node, grid) >
+         FindReturnsOnWalls(scan_in_node, found.submap_from_node, grid).ShareFromBehind() >
              options.max_share_from_behind;
 }
 
@@ -91,9 +94,9 @@ struct LoopSearch::SearchedSubmap {
   int num_sampled = 0;
 };
 
-LoopCandidate SearchLoop(const LoopCandidate& candidate, const RangeData& scan_in_node,
-                         const ProbabilityGrid& grid, const BranchAndBoundMatcher& matcher,
-                         const ConstraintBuilderOptions& options) {
+SearchedLoop SearchLoop(const LoopCandidate& candidate, const RangeData& scan_in_node,
+                        const ProbabilityGrid& grid, const BranchAndBoundMatcher& matcher,
+                        const ConstraintBuilderOptions& options) {
   const PointCloud& points_in_node = scan_in_node.returns;
   LoopCandidate result = Rounded(candidate);
   const SearchOutcome outcome = Search(result, points_in_node, matcher, options.ambiguity);
@@ -102,13 +105,14 @@ LoopCandidate SearchLoop(const LoopCandidate& candidate, const RangeData& scan_i
   result.submap_from_node_searched = outcome.best_found.submap_from_scan;
   result.submap_from_node = result.submap_from_node_searched;
   result.verdict = Verdict::kBelowMinScore;
-  if (!outcome.winner) return Rounded(result);
+  if (!outcome.winner) return {Rounded(result), std::nullopt};
   result.submap_from_node = RefinedPose(points_in_node, grid, result.submap_from_node_searched,
                                         options.ceres_scan_matcher);
-  result.rival_score =
-      outcome.rival ? outcome.rival->score : RivalAtTheGuess(result, points_in_node, grid, options);
+  const std::optional<SearchResult> rival =
+      outcome.rival ? outcome.rival : RivalAtTheGuess(result, points_in_node, grid, options);
+  if (rival) result.rival_score = rival->score;
   result.verdict = VerdictOnWinner(result, scan_in_node, grid, options);
-  return Rounded(result);
+  return {Rounded(result), rival};
 }
 
 Constraint ToConstraint(const LoopCandidate& accepted, const ConstraintBuilderOptions& options) {
@@ -171,7 +175,8 @@ void LoopSearch::HandOver(std::vector<Pair> batch) {
                                asked.submap_from_node_guess, searchable->grid, options_.last_look);
       }
       *pair.candidate =
-          SearchLoop(asked, *pair.scan_in_node, searchable->grid, searchable->matcher, options_);
+          SearchLoop(asked, *pair.scan_in_node, searchable->grid, searchable->matcher, options_)
+              .candidate;
     }
     matchers_.Trim();
   });

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/graph/constraint.h"
@@ -19,12 +20,17 @@ namespace loopscope {
 /// All numbers and poses rounded, as they are searched and recorded.
 LoopCandidate Rounded(LoopCandidate candidate);
 
+/// What came of the search of a pair.
+struct SearchedLoop {
+  LoopCandidate candidate;            ///< Rounded, with verdict, scores and poses
+  std::optional<SearchResult> rival;  ///< of candidate.rival_score
+};
+
 /// Searches one pair: branch and bound in the window around candidate.submap_from_node_guess (or
 /// the whole submap), and (CS) from the winner. Of `scan_in_node` only origin and returns count.
-/// Returns `candidate`, Rounded, with verdict, scores and poses set.
-LoopCandidate SearchLoop(const LoopCandidate& candidate, const RangeData& scan_in_node,
-                         const ProbabilityGrid& grid, const BranchAndBoundMatcher& matcher,
-                         const ConstraintBuilderOptions& options);
+SearchedLoop SearchLoop(const LoopCandidate& candidate, const RangeData& scan_in_node,
+                        const ProbabilityGrid& grid, const BranchAndBoundMatcher& matcher,
+                        const ConstraintBuilderOptions& options);
 
 /// Whether the winner lies in the outermost cells of its window, so that one beyond could match
 /// better. `resolution` [m] is that of the search.

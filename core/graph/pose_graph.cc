@@ -290,8 +290,9 @@ GraphSolution PoseGraph::SolveFully(std::size_t num_judged) {
 }
 
 std::size_t PoseGraph::BeginJudging() {
-  if (loop_judge_.num_believed() < 2 * num_loops_when_all_were_judged_) return num_judged_;
-  num_loops_when_all_were_judged_ = loop_judge_.num_believed();
+  const std::size_t num_believed = loop_judge_.num_believed();
+  if (num_believed == 0 || num_believed < 2 * num_loops_when_all_were_judged_) return num_judged_;
+  num_loops_when_all_were_judged_ = num_believed;
   return 0;
 }
 

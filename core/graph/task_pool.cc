@@ -33,6 +33,7 @@ void TaskPool::Add(std::function<void()> task) {
 void TaskPool::Wait() {
   std::unique_lock lock(mutex_);
   task_done_.wait(lock, [this] { return num_unfinished_ == 0; });
+  if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
 }
 
 void TaskPool::Work() {
@@ -43,8 +44,14 @@ void TaskPool::Work() {
     const std::function<void()> task = std::move(waiting_.front());
     waiting_.pop_front();
     lock.unlock();
-    task();
+    std::exception_ptr error;
+    try {
+      task();
+    } catch (...) {
+      error = std::current_exception();
+    }
     lock.lock();
+    if (!error_) error_ = error;
     if (--num_unfinished_ == 0) task_done_.notify_all();
   }
 }

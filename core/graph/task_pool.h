@@ -4,6 +4,7 @@
 
 #include <condition_variable>
 #include <deque>
+#include <exception>
 #include <functional>
 #include <mutex>
 #include <thread>
@@ -21,10 +22,9 @@ class TaskPool {
   TaskPool(const TaskPool&) = delete;
   TaskPool& operator=(const TaskPool&) = delete;
 
-  /// `task` must not throw.
   void Add(std::function<void()> task);
 
-  /// Returns when all tasks that were added are done.
+  /// Returns when all tasks that were added are done. Throws the first exception of these.
   void Wait();
 
  private:
@@ -35,6 +35,7 @@ class TaskPool {
   std::condition_variable task_done_;
   std::deque<std::function<void()>> waiting_;
   int num_unfinished_ = 0;
+  std::exception_ptr error_;
   bool stopping_ = false;
   std::vector<std::thread> threads_;
 };

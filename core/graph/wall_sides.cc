@@ -51,18 +51,17 @@ class Beam {
 
 }  // namespace
 
-double ShareFromBehind(const RangeData& scan, const Pose2& submap_from_scan,
-                       const ProbabilityGrid& grid) {
+ReturnsOnWalls FindReturnsOnWalls(const RangeData& scan, const Pose2& submap_from_scan,
+                                  const ProbabilityGrid& grid) {
   const Eigen::Vector2d origin = submap_from_scan * scan.origin;
-  int num_on_walls = 0;
-  int num_from_behind = 0;
+  ReturnsOnWalls returns;
   for (const Eigen::Vector2d& point : Transform(submap_from_scan, scan.returns)) {
     const Beam beam(origin, point, grid);
     if (!beam.EndsOnWall()) continue;
-    ++num_on_walls;
-    if (beam.ComesFromBehind()) ++num_from_behind;
+    ++returns.count;
+    if (beam.ComesFromBehind()) returns.from_behind.push_back(point);
   }
-  return num_on_walls > 0 ? static_cast<double>(num_from_behind) / num_on_walls : 0.0;
+  return returns;
 }
 
 }  // namespace loopscope

@@ -15,10 +15,19 @@ struct WallSidesOptions {
   double max_share_from_behind = 1.0;  ///< of the returns on walls of the submap, [0, 1]; 1: off
 };
 
-/// Of the returns of `scan` that lie on walls of `grid`, the share that ends on a side that the
-/// submap has not seen: free space is not in front of the wall, where the beam came through, but
-/// behind it. 0 if no return lies on a wall.
-double ShareFromBehind(const RangeData& scan, const Pose2& submap_from_scan,
-                       const ProbabilityGrid& grid);
+/// The returns of a scan that lie on walls of a submap.
+struct ReturnsOnWalls {
+  int count = 0;
+  /// Those that end on a side that the submap has not seen: free space is not in front of the wall,
+  /// where the beam came through, but behind it. In the frame of the submap.
+  PointCloud from_behind;
+
+  double ShareFromBehind() const {
+    return count > 0 ? static_cast<double>(from_behind.size()) / count : 0.0;
+  }
+};
+
+ReturnsOnWalls FindReturnsOnWalls(const RangeData& scan, const Pose2& submap_from_scan,
+                                  const ProbabilityGrid& grid);
 
 }  // namespace loopscope

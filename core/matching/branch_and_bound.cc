@@ -87,6 +87,7 @@ class Search {
     const Disc excluded{from_guess / window_.resolution,
                         criterion.min_distance / window_.resolution};
     SetMinScore(criterion.min_relative_score * winner.score);
+    pruned_sum_ = 0;  // by the score of the winner
     const std::optional<SearchBlock> in_branched = FirstLeafOutside(branched_, excluded);
     if (in_branched) return ResultOf(*in_branched);
     while (const std::optional<SearchBlock> block = NextStartBlock(&excluded)) {
@@ -135,12 +136,13 @@ class Search {
   }
 
   /// Gives those start nodes bounds of their own that are in sectors with at least `min_bound`, and
-  /// then in those with at least the bound of what was found in these.
+  /// then in those with at least the bound of what was found in these, or pruned.
   void OpenSectorsDownTo(int min_bound) {
     while (const std::optional<Sector> sector = sectors_->Pop(min_bound)) {
       for (int angle = sector->first_angle; angle <= sector->last_angle; ++angle) {
         AddStartNodes(*sector, angle);
       }
+      min_bound = std::max(min_bound, pruned_sum_);
       if (!queue_.empty()) min_bound = std::max(min_bound, queue_.top().sum);
     }
   }

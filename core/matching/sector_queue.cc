@@ -28,7 +28,8 @@ SectorQueue::SectorQueue(const PrecomputedGrids& grids, const SearchWindow& wind
   const int w = window.num_linear_steps;
   const auto is_worth_it = [&](int level) {
     return with_bounds && HeightOf(level) <= grids.max_height() &&
-           2 * w >= kBlocksPerSide << HeightOf(level);
+           2 * w >= kBlocksPerSide << HeightOf(level) &&
+           TurnedScan::HasLowestCells(window, 1 << HeightOf(level));
   };
   int level = 0;
   while (level < kMaxLevel && is_worth_it(level + 1)) ++level;

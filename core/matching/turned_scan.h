@@ -22,6 +22,12 @@ class TurnedScan {
   /// Likewise, into `cells`, which has room for a cell of each point.
   void CellsAt(int angle_index, CellIndex* cells) const;
 
+  /// Whether LowestCells holds for so many angles: of a scan of less than 24 cells the arcs of more
+  /// than 8 are so round that they may sweep a cell more.
+  static bool HasLowestCells(const SearchWindow& window, int num_angles) {
+    return num_angles <= 8 || window.angular_step < 1.0 / 24.0;
+  }
+
   /// Lower bounds of the cells of each point, in x and in y, at all angles of the window from
   /// `first_angle` to `last_angle`, of which no cell is higher by more than last - first + 1.
   std::vector<CellIndex> LowestCells(int first_angle, int last_angle) const;

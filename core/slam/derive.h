@@ -88,6 +88,7 @@ struct SearchReplay {
   ProbabilityGrid grid;   ///< of the finished submap
   RangeData scan;         ///< in the frame of the node
   LoopCandidate result;   ///< of the replay; equals `candidate` if recorded and not overridden
+  std::optional<Pose2> submap_from_rival;  ///< where result.rival_score is, if there is one
   SearchTrace trace;
 };
 

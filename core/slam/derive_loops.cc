@@ -161,16 +161,19 @@ std::optional<SearchReplay> ReplaySearch(const Recording& recording, SubmapId su
                       GridOfSubmap(recording, submap),
                       std::move(*scan),
                       LoopCandidate{},
+                      std::nullopt,
                       SearchTrace{}};
   if (!searched) replay.candidate = ConsiderPair(recording, submap, node);
   if (min_score) replay.candidate.min_score = *min_score;
   const ConstraintBuilderOptions& options = recording.options().pose_graph.constraint_builder;
   const BranchAndBoundMatcher matcher(replay.grid,
                                       options.fast_correlative_scan_matcher.branch_and_bound_depth);
-  replay.result = SearchLoop(replay.candidate, replay.scan, replay.grid, matcher, options);
-  matcher.Search(replay.scan.returns, replay.result.submap_from_node_guess,
-                 replay.result.linear_search_window, replay.result.angular_search_window,
-                 replay.result.min_score, &replay.trace);
+  const auto [result, rival] =
+      SearchLoop(replay.candidate, replay.scan, replay.grid, matcher, options);
+  replay.result = result;
+  if (rival) replay.submap_from_rival = rival->submap_from_scan;
+  matcher.Search(replay.scan.returns, result.submap_from_node_guess, result.linear_search_window,
+                 result.angular_search_window, result.min_score, &replay.trace);
   return replay;
 }
 
@@ -185,7 +188,7 @@ std::optional<LoopCandidate> SearchWholeSubmap(const Recording& recording, Subma
   const ProbabilityGrid grid = GridOfSubmap(recording, submap);
   const BranchAndBoundMatcher matcher(grid,
                                       options.fast_correlative_scan_matcher.branch_and_bound_depth);
-  return SearchLoop(candidate, *scan, grid, matcher, options);
+  return SearchLoop(candidate, *scan, grid, matcher, options).candidate;
 }
 
 LoopGate GateOfPair(const Recording& recording, SubmapId submap, NodeId node) {

@@ -154,8 +154,9 @@ LoopCheck BorderCheck(const Recording& recording, const LoopCandidate& candidate
 LoopCheck WallSidesCheck(const Recording& recording, const LoopCandidate& candidate,
                          const WallSidesOptions& options) {
   const double share =
-      ShareFromBehind(LoopScanOfNode(recording, candidate.node), candidate.submap_from_node,
-                      GridOfSubmap(recording, candidate.submap));
+      FindReturnsOnWalls(LoopScanOfNode(recording, candidate.node), candidate.submap_from_node,
+                         GridOfSubmap(recording, candidate.submap))
+          .ShareFromBehind();
   return {"returns on walls that the submap knows from the other side only",
           fmt::format("{:.0f} %", 100.0 * share),
           fmt::format("at most {:.0f} %", 100.0 * options.max_share_from_behind),

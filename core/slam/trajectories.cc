@@ -3,6 +3,7 @@
 #include "core/slam/trajectories.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -53,6 +54,27 @@ std::vector<Waypoint> WaypointsOfOdometry(const ScanLog& log, const Trajectory& 
   return waypoints;
 }
 
+/// Whether the track jumped: `carried` is farther from where the robot is known to have come than
+/// the way there, or turned more than it turned.
+bool Contradicts(const Pose2& carried, const Pose2& known_before, const Pose2& known) {
+  constexpr double kSlack = 0.1;  // [m], [rad]
+  const auto away = [&](const Pose2& pose) { return known.Inverse() * pose; };
+  const Pose2 residual = away(carried);
+  const Pose2 motion = away(known_before);
+  return residual.translation.norm() > motion.translation.norm() + kSlack ||
+         std::abs(residual.rotation) > std::abs(motion.rotation) + kSlack;
+}
+
+/// The poses between two known ones, in equal steps.
+void InterpolateBetween(std::size_t from, std::size_t to, Trajectory* trajectory) {
+  const Pose2 first = (*trajectory)[from].map_from_base;
+  const Pose2 last = (*trajectory)[to].map_from_base;
+  for (std::size_t i = from + 1; i < to; ++i) {
+    const double share = static_cast<double>(i - from) / static_cast<double>(to - from);
+    (*trajectory)[i].map_from_base = Interpolate(first, last, share);
+  }
+}
+
 /// Adds to the poses between two known ones what the first, carried on to the second, has wrong:
 /// to each an equal part more, for readings come at a steadier pace than the stamps of some logs.
 void SpreadResidual(const Pose2& carried, const Pose2& known, std::size_t from, std::size_t to,
@@ -83,7 +105,11 @@ Trajectory CarryOn(const std::vector<Waypoint>& waypoints) {
       continue;
     }
     trajectory.push_back({waypoints[i].time, *waypoints[i].map_from_base});
-    SpreadResidual(carried, *waypoints[i].map_from_base, known, i, &trajectory);
+    if (Contradicts(carried, *waypoints[known].map_from_base, *waypoints[i].map_from_base)) {
+      InterpolateBetween(known, i, &trajectory);
+    } else {
+      SpreadResidual(carried, *waypoints[i].map_from_base, known, i, &trajectory);
+    }
     known = i;
   }
   return trajectory;

@@ -17,7 +17,8 @@ Trajectory NodeTrajectory(const Recording& recording, const MapState& state);
 /// A pose for every stamp of scans and odometry up to state.step; after the last scan of the log
 /// also for the odometry behind it. Nodes are carried on by local SLAM to the scans between them,
 /// and those by raw odometry; what is missing to the next node or scan is spread over those on the
-/// way. Without odometry (or with use_odometry off), there are poses for scans only.
+/// way. Where the odometry jumped, the way between is taken as straight. Without odometry (or with
+/// use_odometry off), there are poses for scans only.
 Trajectory DenseTrajectory(const Recording& recording, const MapState& state);
 
 }  // namespace loopscope

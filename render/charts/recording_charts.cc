@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/grid/probability.h"
+#include "core/slam/loop_explanation.h"
 #include "core/slam/state.h"
 
 namespace loopscope {
@@ -18,16 +19,14 @@ namespace {
 struct SubjectOfVerdict {
   Verdict verdict;
   ChartSubject subject;
-  const char* name;
 };
 
 /// Those of searches; from the least to the most interesting.
-constexpr SubjectOfVerdict kSearched[] = {
-    {Verdict::kBelowMinScore, ChartSubject::kBelowMinScore, "below min_score"},
-    {Verdict::kInconsistent, ChartSubject::kInconsistent, "inconsistent"},
-    {Verdict::kFromBehind, ChartSubject::kFromBehind, "from behind"},
-    {Verdict::kAmbiguous, ChartSubject::kAmbiguous, "ambiguous"},
-    {Verdict::kAccepted, ChartSubject::kAccepted, "closed"}};
+constexpr SubjectOfVerdict kSearched[] = {{Verdict::kBelowMinScore, ChartSubject::kBelowMinScore},
+                                          {Verdict::kInconsistent, ChartSubject::kInconsistent},
+                                          {Verdict::kFromBehind, ChartSubject::kFromBehind},
+                                          {Verdict::kAmbiguous, ChartSubject::kAmbiguous},
+                                          {Verdict::kAccepted, ChartSubject::kAccepted}};
 
 /// A loop and how far its node is from where it wants it [m].
 struct LoopResidualNow {
@@ -94,7 +93,7 @@ ChartData Scores(const Recording& recording, int step) {
   ChartData data{"Scores of loop searches", StepAxis(step), ScoreAxis(), {}, {}};
   const auto& candidates = recording.candidates();
   for (const SubjectOfVerdict& kind : kSearched) {
-    ChartSeries series{kind.subject, kind.name, {}, false, {}};
+    ChartSeries series{kind.subject, ToString(kind.verdict), {}, false, {}};
     for (int i = 0; i < static_cast<int>(candidates.size()); ++i) {
       if (!IsIn(candidates[i], kind.verdict, step)) continue;
       series.points.push_back(
@@ -138,7 +137,8 @@ ChartData ScoreHistogram(const Recording& recording, int step) {
       const int bin = static_cast<int>(std::floor((candidate.score - data.x.min) / width));
       ++counts[std::clamp(bin, 0, kNumBins - 1)];
     }
-    data.series.push_back({kind.subject, kind.name, {}, false, BarsOn(edges, counts, &tops)});
+    data.series.push_back(
+        {kind.subject, ToString(kind.verdict), {}, false, BarsOn(edges, counts, &tops)});
   }
   data.y = CountAxis("searches", tops);
   data.thresholds = MinScores(recording, step, true);

@@ -84,13 +84,15 @@ std::vector<SearchLevel> LevelsOf(const SearchPart& part) {
   return levels;
 }
 
-BoundRange BoundRangeOf(const SearchTrace& trace) {
-  if (trace.nodes.empty()) return {};
-  const auto [low, high] = std::minmax_element(
-      trace.nodes.begin(), trace.nodes.end(),
-      [](const SearchNode& a, const SearchNode& b) { return a.bound < b.bound; });
+BoundRange BoundRangeOf(const SearchTrace& trace, double min_score) {
   constexpr double kMinWidth = 0.01;
-  return {low->bound, std::max(high->bound, low->bound + kMinWidth)};
+  BoundRange range{min_score, min_score};
+  for (const SearchNode& node : trace.nodes) {
+    range.low = std::min(range.low, node.bound);
+    range.high = std::max(range.high, node.bound);
+  }
+  range.high = std::max(range.high, range.low + kMinWidth);
+  return range;
 }
 
 Extent BlockOf(const SearchNode& node, const SearchWindow& window) {

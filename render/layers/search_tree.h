@@ -36,7 +36,8 @@ struct BoundRange {
   double PlaceOf(double bound) const { return (bound - low) / (high - low); }
 };
 
-BoundRange BoundRangeOf(const SearchTrace& trace);
+/// Of all bounds, and of what a score must beat: a search that comes nowhere near it is not bright.
+BoundRange BoundRangeOf(const SearchTrace& trace, double min_score);
 
 /// The poses of the block of `node`, each as a square of the resolution, in the frame of the submap
 /// [m].

@@ -4,32 +4,19 @@
 
 #include <fmt/format.h>
 
+#include "core/graph/loop_consistency.h"
 #include "core/matching/search_lattice.h"
+#include "core/slam/loop_explanation.h"
 #include "render/number_text.h"
 
 namespace loopscope {
 namespace {
 
 std::string VerdictText(const SearchReplay& search) {
-  // The replay is the search alone: what other loops say of it is in the recording.
-  const Verdict verdict = search.recorded ? search.candidate.verdict : search.result.verdict;
-  switch (verdict) {
-    case Verdict::kTooFar:
-      return "too far apart";
-    case Verdict::kNotSampled:
-      return "not sampled";
-    case Verdict::kBelowMinScore:
-      return "below min_score";
-    case Verdict::kAmbiguous:
-      return "fits elsewhere as well";
-    case Verdict::kFromBehind:
-      return "on walls from behind";
-    case Verdict::kInconsistent:
-      return "no other loop agrees";
-    case Verdict::kAccepted:
-      break;
-  }
-  return search.recorded ? "closed" : "matches";
+  if (search.recorded) return ToString(search.candidate.verdict);
+  // A replay is the search alone: other loops have no say in it.
+  return search.result.verdict == Verdict::kAccepted ? "would match"
+                                                     : ToString(search.result.verdict);
 }
 
 /// How far the search, and then the refinement by (CS), moved the node.
@@ -45,17 +32,37 @@ std::vector<Fact> MovesOf(const SearchReplay& search) {
   return facts;
 }
 
+/// What would refuse the winner, and what is allowed of it.
+std::vector<Fact> ChecksOf(const SearchReplay& search, const ConstraintBuilderOptions& options) {
+  const LoopCandidate& result = search.result;
+  std::vector<Fact> facts;
+  if (result.rival_score > 0.0) {
+    facts.push_back(
+        {"rival score", fmt::format("{:.3f}, at most {:.3f}", result.rival_score,
+                                    options.ambiguity.max_relative_score * result.score)});
+  }
+  if (result.verdict == Verdict::kFromBehind) {
+    facts.push_back({"from behind", fmt::format("{:.0f} %, at most {:.0f} %",
+                                                100.0 * WallsOf(search).ShareFromBehind(),
+                                                100.0 * options.wall_sides.max_share_from_behind)});
+  }
+  const bool was_compared = search.recorded && result.verdict == Verdict::kAccepted;
+  if (was_compared && options.consistency.min_num_supporters > 0) {
+    facts.push_back(
+        {"nodes that agree", fmt::format("{}, at least {}", search.candidate.num_supporters,
+                                         MinNumSupporters(search.candidate, options.consistency))});
+  }
+  return facts;
+}
+
 /// What came of the search.
-std::vector<Fact> OutcomeOf(const SearchReplay& search) {
+std::vector<Fact> OutcomeOf(const SearchReplay& search, const ConstraintBuilderOptions& options) {
   const LoopCandidate& result = search.result;
   std::vector<Fact> facts{{"verdict", VerdictText(search)},
                           {"best score", fmt::format("{:.3f}", result.score)},
-                          {"no pose above", fmt::format("{:.3f}", result.score_bound)},
-                          {"min_score", fmt::format("{:.3f}", result.min_score)}};
-  if (result.rival_score > 0.0) {
-    facts.push_back({"rival score", fmt::format("{:.3f}", result.rival_score)});
-  }
-  facts.push_back({"nodes that agree", fmt::format("{}", search.candidate.num_supporters)});
+                          {"min_score", fmt::format("{:.3f}", result.min_score)},
+                          {"no pose above", fmt::format("{:.3f}", result.score_bound)}};
+  for (const Fact& fact : ChecksOf(search, options)) facts.push_back(fact);
   for (const Fact& fact : MovesOf(search)) facts.push_back(fact);
   return facts;
 }
@@ -74,15 +81,19 @@ std::vector<Fact> ProgressOf(const SearchReplay& search, const SearchPart& part)
 
 }  // namespace
 
-std::vector<Fact> FactsOf(const SearchReplay& search, const SearchPart& part) {
+ReturnsOnWalls WallsOf(const SearchReplay& search) {
+  return FindReturnsOnWalls(search.scan, search.result.submap_from_node, search.grid);
+}
+
+std::vector<Fact> FactsOf(const SearchReplay& search, const SearchPart& part,
+                          const ConstraintBuilderOptions& options) {
   const SearchWindow& window = search.trace.window;
   const double num_poses = NumPoses(window);
   const std::size_t num_scored = search.trace.nodes.size();
   const bool whole = !part.filter().num_visits;
-  std::vector<Fact> facts = whole ? OutcomeOf(search) : ProgressOf(search, part);
-  facts.push_back(
-      {"window", fmt::format("±{:.2f} m, ±{:.0f}°", window.num_linear_steps * window.resolution,
-                             RadiansToDegrees(window.num_angular_steps * window.angular_step))});
+  std::vector<Fact> facts = whole ? OutcomeOf(search, options) : ProgressOf(search, part);
+  facts.push_back({"window", fmt::format("±{:.2f} m, ±{:.1f}°", search.result.linear_search_window,
+                                         RadiansToDegrees(search.result.angular_search_window))});
   facts.push_back({"poses in it", CountText(num_poses)});
   if (!whole) return facts;
   facts.push_back(

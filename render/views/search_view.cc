@@ -31,13 +31,11 @@ DerivedCache::Search SearchOf(DerivedCache* cache, SubmapId submap, NodeId node)
 }
 
 ColorBar BoundBar(const BoundRange& range, double min_score, const Palette& palette) {
-  ColorBar bar{"bound of the score", palette.bound, {{0.0, fmt::format("{:.2f}", range.low)}}};
-  const double place = range.PlaceOf(min_score);
-  if (place > 0.0 && place < 1.0) {
-    bar.ticks.push_back({place, fmt::format("{:.2f} min", min_score)});
-  }
-  bar.ticks.push_back({1.0, fmt::format("{:.2f}", range.high)});
-  return bar;
+  return {"bound of the score",
+          palette.bound,
+          {{range.PlaceOf(min_score), fmt::format("{:.2f} min", min_score)},
+           {1.0, fmt::format("{:.2f}", range.high)},
+           {0.0, fmt::format("{:.2f}", range.low)}}};
 }
 
 /// How the blocks of the tree look; those that only a part of a search has if `part` is one.
@@ -52,6 +50,14 @@ std::vector<LegendEntry> TreeEntries(const SearchPart& part, const Palette& pale
   return entries;
 }
 
+/// What refused the winner is shown once the search is over.
+bool ShowsRival(const SearchReplay& search, const SearchPart& part) {
+  return search.submap_from_rival && !part.filter().num_visits;
+}
+bool ShowsWalls(const SearchReplay& search, const SearchPart& part) {
+  return search.result.verdict == Verdict::kFromBehind && !part.filter().num_visits;
+}
+
 LayerKeys KeysOf(const SearchReplay& search, const SearchPart& part, const BoundRange& range,
                  const MapColors& colors, const Palette& palette) {
   const char* const found = part.filter().num_visits   ? "scan at the best so far"
@@ -64,6 +70,12 @@ LayerKeys KeysOf(const SearchReplay& search, const SearchPart& part, const Bound
        {LayerKind::kWindow,
         {{Swatch::Kind::kOutline, palette.window, colors.free}, "search window"}}},
       {{LayerKind::kTree, BoundBar(range, search.result.min_score, palette)}}};
+  const auto add_points = [&](const Color& color, const char* label) {
+    keys.legend.emplace_back(LayerKind::kScan,
+                             LegendEntry{{Swatch::Kind::kPoint, color, colors.free}, label});
+  };
+  if (ShowsRival(search, part)) add_points(palette.rival, "scan at the rival");
+  if (ShowsWalls(search, part)) add_points(palette.from_behind, "on a wall from behind");
   for (LegendEntry& entry : TreeEntries(part, palette)) {
     keys.legend.emplace_back(LayerKind::kTree, std::move(entry));
   }
@@ -78,7 +90,7 @@ Annotation Describe(const Recording& recording, const SearchReplay& search,
   annotation.subtitle =
       Subtitle(recording, search.candidate.considered_step,
                {search.recorded ? "as the mapper did" : "not done by the mapper"});
-  annotation.facts = FactsOf(search, part);
+  annotation.facts = FactsOf(search, part, recording.options().pose_graph.constraint_builder);
   return annotation;
 }
 
@@ -114,6 +126,12 @@ void DrawMap(const SearchReplay& search, const SearchPart& part, const MapColors
   DrawScan(search, search.candidate.submap_from_node_guess, palette.prior, sheet);
   const std::optional<Pose2> best = BestPose(search, part);
   if (best) DrawScan(search, *best, palette.winner, sheet);
+  if (ShowsRival(search, part)) DrawScan(search, *search.submap_from_rival, palette.rival, sheet);
+  if (!ShowsWalls(search, part)) return;
+  sheet->Add(0, LayerKind::kScan, [&] {
+    return ScanLayer(WallsOf(search).from_behind, Pose2(), palette.from_behind,
+                     sheet->Px(1.5 * widths::kScanPoint));
+  });
 }
 
 void DrawHatch(const std::vector<Extent>& areas, int panel, Sheet* sheet) {
@@ -210,7 +228,7 @@ Scene BuildSearchView(DerivedCache* cache, const ViewRequest& request, int overs
   const SearchReplay& search = *kept;
   const SearchPart part(search.trace, request.search);
   const std::vector<SearchLevel> levels = LevelsOf(part);
-  const BoundRange range = BoundRangeOf(search.trace);
+  const BoundRange range = BoundRangeOf(search.trace, search.result.min_score);
   const Palette& palette = PaletteOf(request.theme);
   const MapColors colors = PlainMapColors(palette);
 
@@ -223,7 +241,8 @@ Scene BuildSearchView(DerivedCache* cache, const ViewRequest& request, int overs
   DrawMap(search, part, colors, &sheet);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const int panel = static_cast<int>(i) + 1;
-    sheet.Open(panel, ExtentOfHeight(search.trace, levels[i].height), palette.paper,
+    const Extent blocks = ExtentOfHeight(search.trace, levels[i].height);
+    sheet.Open(panel, blocks.merged(WindowExtent(search.trace.window)), palette.paper,
                CaptionOf(part, levels[i]));
     DrawLevel(search, part, levels[i], range, panel, &sheet);
   }

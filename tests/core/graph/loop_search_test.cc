@@ -43,7 +43,7 @@ class LoopSearchInARoom : public ::testing::Test {
  protected:
   LoopCandidate Search(const LoopCandidate& candidate,
                        const ConstraintBuilderOptions& options = ConstraintBuilderOptions()) const {
-    return SearchLoop(candidate, *ScanOf(points_), room_.grid(), matcher_, options);
+    return SearchLoop(candidate, *ScanOf(points_), room_.grid(), matcher_, options).candidate;
   }
 
   const SimulatedRoom room_;

@@ -37,6 +37,20 @@ TEST(TaskPool, BeginsTasksInTheOrderInWhichTheyWereAdded) {
   EXPECT_EQ(order, expected);
 }
 
+TEST(TaskPool, WaitThrowsWhatATaskThrewOnceAllAreDone) {
+  TaskPool pool(2);
+  std::atomic<int> num_run = 0;
+  for (int i = 0; i < 10; ++i) {
+    pool.Add([&num_run, i] {
+      ++num_run;
+      if (i == 3) throw std::bad_alloc();
+    });
+  }
+  EXPECT_THROW(pool.Wait(), std::bad_alloc);
+  EXPECT_EQ(num_run, 10);
+  pool.Wait();
+}
+
 TEST(TaskPool, WaitsForNothingAtOnce) {
   TaskPool pool(2);
   pool.Wait();

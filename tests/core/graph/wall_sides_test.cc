@@ -30,25 +30,30 @@ ProbabilityGrid GridOfRack(bool far_side_seen) {
   return grid;
 }
 
-TEST(ShareFromBehind, IsNoneWhereAWallIsSeenFromTheSameSide) {
+double ShareFromBehind(const RangeData& scan, const Pose2& submap_from_scan,
+                       const ProbabilityGrid& grid) {
+  return FindReturnsOnWalls(scan, submap_from_scan, grid).ShareFromBehind();
+}
+
+TEST(ReturnsOnWalls, IsNoneWhereAWallIsSeenFromTheSameSide) {
   EXPECT_EQ(ShareFromBehind(ScanOfWall(0.5, 2.02), Pose2(), GridOfRack(false)), 0.0);
   EXPECT_EQ(ShareFromBehind(ScanOfWall(4.5, 3.12), Pose2(), GridOfRack(true)), 0.0);
 }
 
-TEST(ShareFromBehind, IsAllWhereTheFarSideLiesOnTheNearOne) {
+TEST(ReturnsOnWalls, IsAllWhereTheFarSideLiesOnTheNearOne) {
   const RangeData far_side = ScanOfWall(4.5, 3.12);
   EXPECT_GT(ShareFromBehind(far_side, Pose2(0.0, -1.1, 0.0), GridOfRack(false)), 0.8);
   EXPECT_GT(ShareFromBehind(far_side, Pose2(0.0, -1.1, 0.0), GridOfRack(true)), 0.8);
 }
 
-TEST(ShareFromBehind, CountsOnlyWhatLiesOnWalls) {
+TEST(ReturnsOnWalls, CountsOnlyWhatLiesOnWalls) {
   EXPECT_EQ(ShareFromBehind(ScanOfWall(4.5, 3.12), Pose2(0.0, -0.6, 0.0), GridOfRack(false)), 0.0);
   RangeData scan = ScanOfWall(4.5, 3.12);
   for (int i = 0; i < 500; ++i) scan.returns.emplace_back(50.0, 50.0);
   EXPECT_GT(ShareFromBehind(scan, Pose2(0.0, -1.1, 0.0), GridOfRack(false)), 0.8);
 }
 
-TEST(ShareFromBehind, BelievesAThinWallThatIsKnownFromBothSides) {
+TEST(ReturnsOnWalls, BelievesAThinWallThatIsKnownFromBothSides) {
   ProbabilityGrid grid(0.05);
   const ScanInserter inserter({0.7, 0.4, true});
   for (int i = 0; i < 4; ++i) {
@@ -58,7 +63,7 @@ TEST(ShareFromBehind, BelievesAThinWallThatIsKnownFromBothSides) {
   EXPECT_EQ(ShareFromBehind(ScanOfWall(3.0, 2.02), Pose2(), grid), 0.0);
 }
 
-TEST(ShareFromBehind, IsNoneOfAScanWithoutReturns) {
+TEST(ReturnsOnWalls, IsNoneOfAScanWithoutReturns) {
   EXPECT_EQ(ShareFromBehind(RangeData(), Pose2(), GridOfRack(true)), 0.0);
 }
 

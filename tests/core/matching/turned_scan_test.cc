@@ -13,6 +13,11 @@
 namespace loopscope {
 namespace {
 
+PointCloud Scaled(PointCloud points, double factor) {
+  for (Eigen::Vector2d& point : points) point *= factor;
+  return points;
+}
+
 TEST(TurnedScan, CellsNeedOnlyBeShiftedForTheOtherPosesOfTheAngle) {
   Random random(1);
   for (int i = 0; i < 20; ++i) {
@@ -51,24 +56,28 @@ TEST(TurnedScan, CellsAreExactNextToTheirBorders) {
 
 TEST(TurnedScan, LowestCellsBoundThePointsAtAllAnglesBetween) {
   Random random(3);
-  for (int i = 0; i < 20; ++i) {
+  int num_tried = 0;
+  for (int i = 0; i < 200; ++i) {
     const RandomWorld world = MakeRandomWorld(&random);
-    const SearchWindow window =
-        MakeSearchWindow(world.points_in_scan, world.submap_from_scan, 0.3, M_PI, 0.05);
+    const PointCloud points =
+        Scaled(world.points_in_scan, i % 2 == 0 ? 1.0 : random.Uniform(0.1, 3.0));
+    const SearchWindow window = MakeSearchWindow(points, world.submap_from_scan, 0.3, M_PI, 0.05);
+    const int num_steps = i % 4 < 2 ? 7 : 15;
+    if (!TurnedScan::HasLowestCells(window, num_steps + 1)) continue;
+    ++num_tried;
     const int first = random.Below(window.num_angular_steps) - window.num_angular_steps / 2;
-    constexpr int kNumSteps = 7;
-    const auto lowest =
-        TurnedScan(window, world.points_in_scan).LowestCells(first, first + kNumSteps);
-    ASSERT_EQ(lowest.size(), world.points_in_scan.size());
-    for (int angle = first; angle <= first + kNumSteps; ++angle) {
-      const std::vector<CellIndex> cells = TurnedScan(window, world.points_in_scan).CellsAt(angle);
+    const auto lowest = TurnedScan(window, points).LowestCells(first, first + num_steps);
+    ASSERT_EQ(lowest.size(), points.size());
+    for (int angle = first; angle <= first + num_steps; ++angle) {
+      const std::vector<CellIndex> cells = TurnedScan(window, points).CellsAt(angle);
       for (std::size_t k = 0; k < cells.size(); ++k) {
         const CellIndex above{cells[k].x - lowest[k].x, cells[k].y - lowest[k].y};
         EXPECT_GE(std::min(above.x, above.y), 0);
-        EXPECT_LE(std::max(above.x, above.y), kNumSteps + 1);
+        EXPECT_LE(std::max(above.x, above.y), num_steps + 1);
       }
     }
   }
+  EXPECT_GT(num_tried, 120);
 }
 
 }  // namespace

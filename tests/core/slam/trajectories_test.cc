@@ -115,6 +115,25 @@ TEST(DenseTrajectory, CarriesNodesOnByLocalSlamAndSpreadsWhatLoopsMoved) {
   }
 }
 
+TEST(DenseTrajectory, DoesNotFollowOdometryThatJumps) {
+  for (const Pose2& jump : {Pose2(30.0, -20.0, 0.0), Pose2(0.0, 0.0, 1.5)}) {
+    Drive drive;
+    drive.AddOdometry(0.0, Pose2());
+    drive.AddNode(0.0, Pose2(), Pose2());
+    drive.AddOdometry(1.0, jump * Pose2(0.5, 0.0, 0.0));
+    drive.AddOdometry(2.0, jump * Pose2(1.0, 0.0, 0.0));
+    drive.AddOdometry(3.0, jump * Pose2(1.5, 0.0, 0.0));
+    drive.AddNode(4.0, Pose2(2.0, 0.0, 0.0), Pose2(2.0, 0.4, 0.0));
+    drive.AddOdometry(5.0, jump * Pose2(2.0, 0.0, 0.0));
+    const Recording recording = drive.ToRecording();
+    const Trajectory trajectory = DenseTrajectory(recording, LastState(recording));
+    ASSERT_EQ(trajectory.size(), 6u);
+    ExpectPose(trajectory[1], 1.0, Pose2(0.5, 0.1, 0.0));
+    ExpectPose(trajectory[3], 3.0, Pose2(1.5, 0.3, 0.0));
+    ExpectPose(trajectory[5], 5.0, Pose2(2.5, 0.4, 0.0));
+  }
+}
+
 TEST(DenseTrajectory, SpreadsTurnsTheShortWay) {
   Drive drive;
   drive.AddOdometry(0.0, Pose2());

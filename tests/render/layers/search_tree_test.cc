@@ -113,19 +113,21 @@ TEST(WindowExtentTest, IsCenteredOnTheGuess) {
   EXPECT_NEAR(window.sizes().x(), 0.5, 1e-12);
 }
 
-TEST(BoundRangeTest, SpansAllBounds) {
-  const BoundRange range = BoundRangeOf(SmallTrace());
+TEST(BoundRangeTest, SpansAllBoundsAndWhatTheyMustBeat) {
+  const BoundRange range = BoundRangeOf(SmallTrace(), 0.5);
   EXPECT_DOUBLE_EQ(range.low, 0.4);
   EXPECT_DOUBLE_EQ(range.high, 0.9);
   EXPECT_DOUBLE_EQ(range.PlaceOf(0.65), 0.5);
-  EXPECT_GT(BoundRangeOf({}).high, BoundRangeOf({}).low);
+  EXPECT_DOUBLE_EQ(BoundRangeOf(SmallTrace(), 0.95).PlaceOf(0.95), 1.0);
+  EXPECT_DOUBLE_EQ(BoundRangeOf(SmallTrace(), 0.3).PlaceOf(0.3), 0.0);
+  EXPECT_GT(BoundRangeOf({}, 0.5).high, BoundRangeOf({}, 0.5).low);
 }
 
 TEST(BlocksLayerTest, FillsOneSquareABlockAndFadesThePruned) {
   const SearchTrace trace = SmallTrace();
   const SearchPart part(trace);
   const Palette& palette = PaletteOf(Theme::kDefault);
-  const auto layer = BlocksLayer(part, LevelsOf(part)[0], BoundRangeOf(trace), palette);
+  const auto layer = BlocksLayer(part, LevelsOf(part)[0], BoundRangeOf(trace, 0.5), palette);
   EXPECT_EQ(DataOf(layer)->GetNumberOfPolys(), 2);
   EXPECT_EQ(ColorOf(layer, 0), palette.bound.At(0.8));
   EXPECT_LT(ColorOf(layer, 4).a, 128);
@@ -142,10 +144,10 @@ TEST(ExpandedLayerTest, OutlinesOnlyWhatWasExpanded) {
 TEST(AnglesLayerTest, HasAFieldForEachAngleAndHeightThatSaysMost) {
   const SearchTrace trace = SmallTrace();  // 3 angles, heights up to 2
   const Palette& palette = PaletteOf(Theme::kDefault);
-  const auto layer = AnglesLayer(SearchPart(trace), BoundRangeOf(trace), 3.0, palette);
+  const auto layer = AnglesLayer(SearchPart(trace), BoundRangeOf(trace, 0.5), 3.0, palette);
   ASSERT_EQ(DataOf(layer)->GetNumberOfPolys(), 3);  // (0, 0), (0, 2), (1, 2)
-  EXPECT_EQ(ColorOf(layer, 0), palette.bound.At(BoundRangeOf(trace).PlaceOf(0.7)));
-  EXPECT_EQ(ColorOf(layer, 4), palette.bound.At(BoundRangeOf(trace).PlaceOf(0.8)));
+  EXPECT_EQ(ColorOf(layer, 0), palette.bound.At(BoundRangeOf(trace, 0.5).PlaceOf(0.7)));
+  EXPECT_EQ(ColorOf(layer, 4), palette.bound.At(BoundRangeOf(trace, 0.5).PlaceOf(0.8)));
   EXPECT_EQ(ColorOf(layer, 8), WithOpacity(palette.bound.At(1.0), kPrunedOpacity));
 }
 
