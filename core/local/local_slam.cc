@@ -121,6 +121,7 @@ MatchPrior LocalSlam::PriorOf(const ScanToMatch& scan, const LocalSlamResult& re
                               const MatchedSubmap& submap) const {
   MatchPrior prior{submap.local_from_submap.Inverse() * result.local_from_base_prior, true};
   prior.is_far_from_before = scan.is_far_from_before;
+  prior.motion_size = SizeOf(extrapolator_.LastPose().Inverse() * result.local_from_base_prior);
   if (num_matched_ >= kNumScansUntilVelocityIsKnown) {
     prior.submap_from_base_by_velocity = SubmapFromBaseByVelocity(scan.index, submap);
   }

@@ -83,6 +83,10 @@ struct LocalSlamOptions {
   /// A pose that no odometry predicted is looked for in windows this many times as large, and its
   /// deviation from the prediction weighs as much less. Not in Cartographer.
   double unmeasured_prior_scale = 1.0;
+  /// [m] A scan before which odometry measured less (see SizeOf) is held at the place that it
+  /// predicts by a weight that is larger in inverse proportion, up to ten times; 0: by the same.
+  /// Not in Cartographer.
+  double full_prior_motion = 0.0;
 };
 
 }  // namespace loopscope

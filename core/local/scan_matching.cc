@@ -3,6 +3,7 @@
 #include "core/local/scan_matching.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/matching/branch_and_bound.h"
 #include "core/matching/match_score.h"
@@ -44,12 +45,26 @@ LocalSlamOptions Loosened(LocalSlamOptions options) {
   return options;
 }
 
+/// `options` for a prior that was measured. The less a robot moves between two scans, the less
+/// odometry can be wrong; but the second is pulled to the cells that the first one hit all the
+/// same, so that along a corridor the robot lags behind more, the more scans there are.
+LocalSlamOptions Stiffened(LocalSlamOptions options, double motion_size) {
+  constexpr double kMaxScale = 10.0;
+  const double full_size = options.full_prior_motion;
+  if (full_size > 0.0) {
+    options.ceres_scan_matcher.translation_weight *=
+        std::clamp(full_size / motion_size, 1.0, kMaxScale);
+  }
+  return options;
+}
+
 /// Where odometry has it, or where the velocity does, see second_prior_relative_score.
 ScanMatch MatchAroundPriors(const PointCloud& points_in_base, const ProbabilityGrid& grid,
                             const MatchPrior& prior, double expected_score,
                             const LocalSlamOptions& options) {
-  const ScanMatch match = MatchNear(points_in_base, grid, prior.submap_from_base,
-                                    prior.is_measured ? options : Loosened(options));
+  const ScanMatch match =
+      MatchNear(points_in_base, grid, prior.submap_from_base,
+                prior.is_measured ? Stiffened(options, prior.motion_size) : Loosened(options));
   if (!prior.submap_from_base_by_velocity) return match;
   const double good_score = options.second_prior_relative_score * expected_score;
   if (match.score >= good_score) return match;
@@ -104,6 +119,11 @@ bool MatchesWhatIsKnown(const PointCloud& points_in_base, const ScanMatch& match
 }
 
 }  // namespace
+
+double SizeOf(const Pose2& motion) {
+  constexpr double kLever = 2.0;  // [m]
+  return std::max(motion.translation.norm(), kLever * std::abs(motion.rotation));
+}
 
 ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& grid,
                     const MatchPrior& prior, double expected_score,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "core/grid/probability_grid.h"
@@ -28,7 +29,12 @@ struct MatchPrior {
   std::optional<Pose2> submap_from_base_by_velocity{};
   /// Whether the robot went so far since the scan before that it may see what is not known yet.
   bool is_far_from_before = false;
+  /// [m] Of a measured one, SizeOf the motion since the scan before.
+  double motion_size = std::numeric_limits<double>::infinity();
 };
+
+/// [m] How far the robot went or, if that is more, a point 2 m away from it was turned.
+double SizeOf(const Pose2& motion);
 
 /// Local scan matching: by the correlative matcher, if it is switched on, then (CS). Of these the
 /// first that matches well, which is measured by the `expected_score`:

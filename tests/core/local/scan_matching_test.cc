@@ -54,6 +54,29 @@ TEST_F(ScanMatching, LooksFurtherFromAPriorThatNobodyMeasured) {
   EXPECT_THAT(Match(prior, 0.0, false).submap_from_base, Not(PoseNear(kTruth, 0.15, 0.02)));
 }
 
+TEST_F(ScanMatching, StaysNearerToAPriorThatWasMeasuredOverAShortWay) {
+  const Pose2 prior = kTruth * Pose2(0.04, 0.03, 0.0);
+  const auto moved = [&](double motion_size) {
+    MatchPrior measured{prior, true};
+    measured.motion_size = motion_size;
+    const ScanMatch match = MatchScan(points_, room_.grid(), measured, 0.0, options_);
+    return (match.submap_from_base.translation - prior.translation).norm();
+  };
+  const double usual = moved(1.0);
+  EXPECT_GT(usual, 0.02);
+  EXPECT_EQ(moved(0.01), usual) << "by default";
+  options_.full_prior_motion = 0.2;
+  EXPECT_EQ(moved(0.2), usual);
+  EXPECT_LT(moved(0.05), usual);
+  EXPECT_LT(moved(0.02), 0.3 * usual);
+  EXPECT_EQ(moved(0.0), moved(0.02));
+}
+
+TEST(SizeOf, IsTheWayOrThatOfATurn) {
+  EXPECT_DOUBLE_EQ(SizeOf(Pose2(3.0, -4.0, 0.1)), 5.0);
+  EXPECT_DOUBLE_EQ(SizeOf(Pose2(0.03, 0.0, -0.1)), 0.2);
+}
+
 TEST_F(ScanMatching, BelievesTheVelocityWhereItMatchesAndOdometryDoesNot) {
   options_.use_online_correlative_scan_matching = true;
   options_.second_prior_relative_score = 0.8;

@@ -23,10 +23,12 @@ TEST(ReplayMatch, MatchesAgainToTheRecordedPoseBitForBit) {
     const auto replay = ReplayMatch(recording, step);
     ASSERT_TRUE(replay);
     EXPECT_FALSE(replay->wide_walls);
+    MatchPrior prior{replay->submap_from_base_prior, true};
+    prior.motion_size = SizeOf(recording.step(step - 1).local_from_base.Inverse() *
+                               recording.step(step).local_from_base_prior);
     // With nothing expected of the score, nothing is searched for widely.
-    const ScanMatch match =
-        MatchScan(replay->points, replay->grid, {replay->submap_from_base_prior, true, {}}, 0.0,
-                  recording.options().trajectory_builder_2d);
+    const ScanMatch match = MatchScan(replay->points, replay->grid, prior, 0.0,
+                                      recording.options().trajectory_builder_2d);
     const Pose2& local_from_submap = recording.submap(replay->submap).local_from_submap;
     EXPECT_EQ(Rounded(local_from_submap * match.submap_from_base),
               recording.step(step).local_from_base);

@@ -50,7 +50,7 @@ TEST(Slam, MapsALongLoopWithOurPresetAsItIs) {
 }
 
 /// A smooth corridor of 20 m, there and back, with something to see only at its ends.
-Simulation SimulateAmbiguousCorridor(double max_range, int seed) {
+Simulation SimulateAmbiguousCorridor(double max_range, int seed, double scan_period = 0.25) {
   World world;
   world.name = "ambiguous";
   world.plan.AddRoom({0.0, 0.0}, {20.0, 2.4});
@@ -59,7 +59,7 @@ Simulation SimulateAmbiguousCorridor(double max_range, int seed) {
   world.route = {{2.0, 1.2}, {17.0, 1.2}, {2.0, 1.2}};
   SimulationOptions options;
   options.seed = seed;
-  options.scan_period = 0.25;
+  options.scan_period = scan_period;
   options.lidar.beams = {181, DegreesToRadians(-90.0), DegreesToRadians(1.0)};
   options.lidar.max_range = max_range;
   return Simulate(world, options);
@@ -103,6 +103,13 @@ TEST_P(SlamInAnAmbiguousCorridor, ClosesNoFalseLoopIfItSeesTheEnds) {
 
 TEST_P(SlamInAnAmbiguousCorridor, ClosesNoFalseLoopIfNothingTellsHowFarItWent) {
   ExpectNoFalseLoop(8.0, 0.4);
+}
+
+TEST(Slam, DoesNotLagBehindInACorridorThatIsScannedOften) {
+  const Simulation simulation = SimulateAmbiguousCorridor(8.0, 1, 0.05);
+  const Recording recording = MapLog(simulation.log, LoopscopePreset(), 2);
+  const auto error = EvaluateTrajectory(simulation.ground_truth, TrajectoryOf(recording));
+  EXPECT_LT(error->translation.rmse, 0.4);
 }
 
 /// Maps a built-in world in which places look alike, and expects no false loop.
