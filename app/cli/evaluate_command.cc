@@ -86,6 +86,17 @@ bool IsWithin(const Evaluation& evaluation, double max_error) {
          (!evaluation.trajectory || evaluation.trajectory->translation.rmse <= max_error);
 }
 
+/// Whether all of its log was mapped; says so if not.
+bool IsWhole(const EvaluatedRun& run) {
+  if (!run.recording) return true;
+  const std::size_t num_scans = run.recording->log().scans.size();
+  const auto num_mapped = static_cast<std::size_t>(run.recording->num_steps());
+  if (num_mapped == num_scans) return true;
+  fmt::print(stderr, "loopscope: {}: {} of {} scans are mapped; --max-error expects all\n",
+             run.path, num_mapped, num_scans);
+  return false;
+}
+
 void RequireOneRunToPlot(const EvaluateArguments& arguments) {
   PictureFormatOf(arguments.plot);  // before the work begins
   if (arguments.runs.size() == 1) return;
@@ -108,13 +119,16 @@ int RunEvaluate(const EvaluateArguments& arguments) {
         "nothing to compare with for --max-error; expected --relations or --reference");
   }
   std::vector<Evaluation> evaluations;
+  bool all_are_whole = true;
   for (const std::string& path : arguments.runs) {
     const EvaluatedRun run = LoadRun(path);
+    if (arguments.max_error && !IsWhole(run)) all_are_whole = false;
     evaluations.push_back(Evaluate(run, truth));
     if (!arguments.plot.empty()) Plot(run, truth, arguments);
   }
   Print(evaluations, arguments);
   if (!arguments.max_error) return 0;
+  if (!all_are_whole) return 1;
   for (const Evaluation& evaluation : evaluations) {
     if (!IsWithin(evaluation, *arguments.max_error)) return 1;
   }

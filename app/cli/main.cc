@@ -33,13 +33,24 @@ std::string HelpOf(const CLI::App& app) {
                           : "loopscope " + commands.front()->get_name() + " --help";
 }
 
+/// What is wrong with the arguments.
+std::string WhyRefused(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+  const bool names_no_command = app.get_subcommands().empty() && argc > 1 && argv[1][0] != '-';
+  if (!names_no_command) return error.what();
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands(nullptr)) {
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  return "no command '" + std::string(argv[1]) + "': expected " + names;
+}
+
 /// Throws if what was printed did not go where it should.
 void FlushOutput() {
   errno = 0;
   std::cout.flush();
   if (std::fflush(stdout) == 0 && std::cout) return;
-  throw std::runtime_error(std::string("standard output: cannot be written: ") +
-                           std::strerror(errno));
+  throw std::runtime_error(std::string("standard output: cannot be written") +
+                           (errno != 0 ? std::string(": ") + std::strerror(errno) : ""));
 }
 
 }  // namespace
@@ -50,6 +61,7 @@ int main(int argc, char** argv) {
   CLI::App app(kDescription, "loopscope");
   app.footer(kFooter);
   app.require_subcommand(1);
+  app.set_version_flag("--version", std::string("loopscope ") + LOOPSCOPE_VERSION);
   int exit_code = 0;
   loopscope::AddMapCommand(&app, &exit_code);
   loopscope::AddInfoCommand(&app, &exit_code);
@@ -69,7 +81,8 @@ int main(int argc, char** argv) {
     return exit_code;
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
-    std::fprintf(stderr, "loopscope: %s (see %s)\n", error.what(), HelpOf(app).c_str());
+    std::fprintf(stderr, "loopscope: %s (see %s)\n", WhyRefused(app, error, argc, argv).c_str(),
+                 HelpOf(app).c_str());
   } catch (const std::exception& error) {
     std::fprintf(stderr, "loopscope: %s\n", error.what());
   }

@@ -47,7 +47,8 @@ std::string NewRecordingPath(const std::string& log_path) {
     folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
     QDir().mkpath(folder);
   }
-  const QString name = QString::fromStdString(LogStem(log.fileName().toStdString()));
+  QString name = QString::fromStdString(LogStem(log.fileName().toStdString()));
+  if (name.endsWith(".loopscope")) name.chop(10);  // a recording is mapped again
   QString path = folder + "/" + name + ".loopscope";
   for (int i = 2; QFileInfo::exists(path); ++i) {
     path = QString("%1/%2-%3.loopscope").arg(folder, name).arg(i);

@@ -109,12 +109,16 @@ void TimelineWidget::DrawTicks() {
   }
   const auto& scans = session_->recording().log().scans;
   const double start = scans.front().time;
-  const double duration = std::max(1e-9, scans.back().time - start);
+  const auto is_earlier = [](const LaserScan& a, const LaserScan& b) { return a.time < b.time; };
+  const double end = std::max_element(scans.begin(), scans.end(), is_earlier)->time;
+  const double duration = std::max(1e-9, end - start);
   const double every = RoundStep(duration * 70.0 / std::max(1.0, XOf(num_scans_ - 1) - XOf(0)));
   double next = 0.0;
   painter.setPen(ink);
   for (int step = 0; step < num_scans_; ++step) {
-    if (scans[step].time - start < next) continue;
+    const double seconds = scans[step].time - start;
+    if (seconds < next) continue;
+    next = every * std::floor(seconds / every);  // there may have been a pause
     const double x = XOf(step);
     painter.drawLine(QPointF(x, kRuler - 3), QPointF(x, kRuler));
     painter.drawText(QRectF(x + 2, 0, 80, kRuler - 2), Qt::AlignLeft | Qt::AlignVCenter,

@@ -31,7 +31,8 @@ std::optional<NumberRow> ParseRow(const std::vector<std::string_view>& words) {
 
 }  // namespace
 
-std::vector<NumberRow> ReadNumberRows(const std::string& path, const std::string& columns) {
+std::vector<NumberRow> ReadNumberRows(const std::string& path, const std::string& columns,
+                                      const std::optional<RowCondition>& condition) {
   std::vector<NumberRow> rows;
   std::vector<std::string_view> words;
   LineReader lines(path);
@@ -43,6 +44,9 @@ std::vector<NumberRow> ReadNumberRows(const std::string& path, const std::string
       throw FileError(path, lines.line_number(),
                       row ? fmt::format("too long; expected at most {} lines", kMaxRows)
                           : fmt::format("expected eight numbers, \"{}\"", columns));
+    }
+    if (condition && !condition->holds(*row)) {
+      throw FileError(path, lines.line_number(), "expected " + condition->what);
     }
     rows.push_back(*row);
   }

@@ -163,6 +163,7 @@ std::vector<OdometryReading> GetOdometry(ByteReader* in) {
   const std::vector<double> times = GetDoubles({}, in);
   const std::vector<Pose2> poses = GetPoses({}, in);
   if (times.size() != poses.size()) in->Fail("columns differ in length");
+  if (times.size() > kOdometryPerChunk) in->Fail("there are too many readings");
   std::vector<OdometryReading> odometry;
   odometry.reserve(times.size());
   for (std::size_t i = 0; i < times.size(); ++i) odometry.push_back({times[i], poses[i]});

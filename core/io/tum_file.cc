@@ -12,9 +12,21 @@
 
 namespace loopscope {
 
+namespace {
+
+/// Relations have eight numbers a line, too.
+bool HasUnitQuaternion(const NumberRow& row) {
+  constexpr double kMaxRounding = 1e-2;
+  const double square = row[4] * row[4] + row[5] * row[5] + row[6] * row[6] + row[7] * row[7];
+  return std::abs(std::sqrt(square) - 1.0) < kMaxRounding;
+}
+
+}  // namespace
+
 Trajectory ReadTum(const std::string& path) {
   Trajectory trajectory;
-  for (const NumberRow& row : ReadNumberRows(path, "time x y z qx qy qz qw")) {
+  const RowCondition condition{HasUnitQuaternion, "qx qy qz qw to be of length 1"};
+  for (const NumberRow& row : ReadNumberRows(path, "time x y z qx qy qz qw", condition)) {
     const double x = row[4], y = row[5], z = row[6], w = row[7];
     const double yaw = std::atan2(2.0 * (w * z + x * y), w * w + x * x - y * y - z * z);
     trajectory.push_back({row[0], Pose2(row[1], row[2], yaw)});

@@ -145,14 +145,9 @@ LoopGate GateIn(const MapState& state, const Recording& recording, SubmapId subm
                           recording.options().pose_graph.constraint_builder);
 }
 
-}  // namespace
-
-std::vector<double> NodeWays(const Recording& recording) {
-  return SumOfGaps(recording.nodes(), [](double gap, const Node&) { return gap; });
-}
-
-std::optional<SearchReplay> ReplaySearch(const Recording& recording, SubmapId submap, NodeId node,
-                                         std::optional<double> min_score) {
+/// Without its trace, which may take long and be large, unless that is asked for.
+std::optional<SearchReplay> Replay(const Recording& recording, SubmapId submap, NodeId node,
+                                   std::optional<double> min_score, bool with_trace) {
   std::optional<RangeData> scan = SearchableScan(recording, submap, node);
   if (!scan) return std::nullopt;
   const std::optional<LoopCandidate> searched = SearchedCandidate(recording, submap, node);
@@ -172,9 +167,27 @@ std::optional<SearchReplay> ReplaySearch(const Recording& recording, SubmapId su
       SearchLoop(replay.candidate, replay.scan, replay.grid, matcher, options);
   replay.result = result;
   if (rival) replay.submap_from_rival = rival->submap_from_scan;
-  matcher.Search(replay.scan.returns, result.submap_from_node_guess, result.linear_search_window,
-                 result.angular_search_window, result.min_score, &replay.trace);
+  if (with_trace) {
+    matcher.Search(replay.scan.returns, result.submap_from_node_guess, result.linear_search_window,
+                   result.angular_search_window, result.min_score, &replay.trace);
+  }
   return replay;
+}
+
+}  // namespace
+
+std::vector<double> NodeWays(const Recording& recording) {
+  return SumOfGaps(recording.nodes(), [](double gap, const Node&) { return gap; });
+}
+
+std::optional<SearchReplay> ReplaySearch(const Recording& recording, SubmapId submap, NodeId node,
+                                         std::optional<double> min_score) {
+  return Replay(recording, submap, node, min_score, true);
+}
+
+std::optional<LoopCandidate> SearchPair(const Recording& recording, SubmapId submap, NodeId node) {
+  const std::optional<SearchReplay> replay = Replay(recording, submap, node, std::nullopt, false);
+  return replay ? std::optional(replay->result) : std::nullopt;
 }
 
 std::optional<LoopCandidate> SearchWholeSubmap(const Recording& recording, SubmapId submap,

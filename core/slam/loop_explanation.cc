@@ -181,7 +181,7 @@ LoopCheck ResidualCheck(const Recording& recording, const LoopCandidate& candida
 
 /// What a search that was not made would have found. The pair must be one that can be searched.
 std::string WouldHaveMatched(const Recording& recording, SubmapId submap, NodeId node) {
-  const LoopCandidate result = ReplaySearch(recording, submap, node).value().result;
+  const LoopCandidate result = SearchPair(recording, submap, node).value();
   return fmt::format(
       "Searched now, in {:.1f} m and {:.1f} deg around the estimate of then, it "
       "scores {:.3f}; {:.3f} is needed.",

@@ -247,6 +247,7 @@ TEST_F(CommandTest, EvaluateRefusesWhatItCannotCompare) {
   folder_.Write("way.tum", "5 0 0 0 0 0 0 1\n6 0 0 0 0 0 0 1\n");
   ExpectRefused("evaluate way.tum", "expected --relations or --reference");
   ExpectRefused("evaluate run.loopscope --max-error 1", "expected --relations or --reference");
+  ExpectRefused("mop run.loopscope", "no command 'mop': expected map, info, render,");
   ExpectRefused("evaluate run.loopscope --delta 0", "--delta 0: expected metres above 0");
   for (const std::string count : {"1.5", "1e10"}) {
     ExpectRefused("evaluate run.loopscope --delta-unit f --delta " + count, "a number of frames");

@@ -248,12 +248,18 @@ TEST(BuildSceneTest, RefusesWhatCannotBeDrawnSayingWhatWasExpected) {
   EXPECT_EQ(WhyRefused(request), "opacity of layer 'grid' is 1.5: expected 0 to 1");
   request = RequestFor(ViewKind::kMap);
   request.width_in_meters = 0.0;
-  EXPECT_EQ(WhyRefused(request), "width of the map is 0.000000 m: expected more than 0");
+  EXPECT_EQ(WhyRefused(request),
+            "width of the map is 0 m: expected more than 0, and at most 1e+06");
   request.width_in_meters = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(WhyRefused(request), "width of the map is inf m: expected more than 0");
+  EXPECT_EQ(WhyRefused(request),
+            "width of the map is inf m: expected more than 0, and at most 1e+06");
   request = RequestFor(ViewKind::kMap);
   request.center = Eigen::Vector2d(std::nan(""), 0.0);
-  EXPECT_EQ(WhyRefused(request), "center of the map: expected two finite numbers");
+  EXPECT_EQ(WhyRefused(request),
+            "center of the map is nan, 0: expected two numbers of at most 1e+06 m");
+  request.center = Eigen::Vector2d(0.0, -1e8);
+  EXPECT_EQ(WhyRefused(request),
+            "center of the map is 0, -1e+08: expected two numbers of at most 1e+06 m");
   request = RequestFor(ViewKind::kTime);
   request.azimuth = std::nan("");
   EXPECT_EQ(WhyRefused(request), "azimuth: expected a finite number of degrees");

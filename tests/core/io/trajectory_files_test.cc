@@ -40,12 +40,24 @@ TEST(TumFile, IsReadInTheOrderOfTime) {
   EXPECT_EQ(read[2].map_from_base.x(), 21.0);
 }
 
+TEST(TumFile, RelationsAreNoTrajectory) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Write("a.tum", "1 0 0 0 0 0 0 1\n1.5 2.5 3.1 0.2 0 0 0 0.4\n");
+  try {
+    ReadTum(path);
+    FAIL() << "nothing was thrown";
+  } catch (const FileError& error) {
+    EXPECT_EQ(std::string(error.what()), path + ":2: expected qx qy qz qw to be of length 1");
+  }
+}
+
 TEST(TumFile, TheYawOfATiltedRotationIsTaken) {
   const TemporaryFolder folder;
-  // Yaw of 0.6 after a roll of 0.2: q = q_z(0.6) q_x(0.2), not normalized.
+  // Yaw of 0.6 after a roll of 0.2: q = q_z(0.6) q_x(0.2), of which the file rounds.
   const double cz = std::cos(0.3), sz = std::sin(0.3), cx = std::cos(0.1), sx = std::sin(0.1);
   std::string line = "1 0 0 0";
-  for (const double q : {cz * sx, sz * sx, sz * cx, cz * cx}) line += " " + std::to_string(2.0 * q);
+  for (const double q : {cz * sx, sz * sx, sz * cx, cz * cx})
+    line += " " + std::to_string(1.005 * q);
   EXPECT_NEAR(ReadTum(folder.Write("a.tum", line))[0].map_from_base.rotation, 0.6, 1e-5);
 }
 
