@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/io/file_error.h"
 #include "core/io/relations_file.h"
 #include "core/io/tum_file.h"
 #include "tests/support/temporary_folder.h"
