@@ -49,7 +49,7 @@ LocalSlamOptions Loosened(LocalSlamOptions options) {
 /// odometry can be wrong; but the second is pulled to the cells that the first one hit all the
 /// same, so that along a corridor the robot lags behind more, the more scans there are.
 LocalSlamOptions Stiffened(LocalSlamOptions options, double motion_size) {
-  constexpr double kMaxScale = 10.0;
+  constexpr double kMaxScale = 2.5;  // a robot may slip
   const double full_size = options.full_prior_motion;
   if (full_size > 0.0) {
     options.ceres_scan_matcher.translation_weight *=

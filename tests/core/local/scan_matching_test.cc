@@ -67,9 +67,10 @@ TEST_F(ScanMatching, StaysNearerToAPriorThatWasMeasuredOverAShortWay) {
   EXPECT_EQ(moved(0.01), usual) << "by default";
   options_.full_prior_motion = 0.2;
   EXPECT_EQ(moved(0.2), usual);
-  EXPECT_LT(moved(0.05), usual);
-  EXPECT_LT(moved(0.02), 0.3 * usual);
-  EXPECT_EQ(moved(0.0), moved(0.02));
+  EXPECT_LT(moved(0.1), usual);
+  EXPECT_LT(moved(0.05), moved(0.1));
+  EXPECT_EQ(moved(0.02), moved(0.05)) << "a robot may slip";
+  EXPECT_EQ(moved(0.0), moved(0.05));
 }
 
 TEST(SizeOf, IsTheWayOrThatOfATurn) {
