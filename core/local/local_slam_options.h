@@ -84,7 +84,7 @@ struct LocalSlamOptions {
   /// deviation from the prediction weighs as much less. Not in Cartographer.
   double unmeasured_prior_scale = 1.0;
   /// [m] A scan before which odometry measured less (see SizeOf) is held at the place that it
-  /// predicts by a weight that is larger in inverse proportion, up to ten times; 0: by the same.
+  /// predicts by a weight that is larger in inverse proportion, up to 2.5 times; 0: by the same.
   /// Not in Cartographer.
   double full_prior_motion = 0.0;
 };

@@ -141,7 +141,7 @@ Rows LocalSlamRows(LocalSlamOptions* o) {
                   "leaving the prediction smaller, by this factor."});
   rows.push_back({"full_prior_motion", &o->full_prior_motion, 0, 1000, "m",
                   "A scan before which odometry measured less is held where that predicts it by a "
-                  "larger weight, in inverse proportion, up to ten times; 0: by the same."});
+                  "larger weight, in inverse proportion, up to 2.5 times; 0: by the same."});
   rows.push_back(
       {"velocity_gain", &o->velocity_gain, 0.01, 1, "",
        "Without odometry, share of the last motion in the velocity that predicts the next "
