@@ -45,7 +45,6 @@ vtkSmartPointer<vtkRenderer> PanelRenderer(const Panel& panel, const Scene& scen
   renderer->SetViewport(panel.frame.left / scene.width, panel.frame.bottom / scene.height,
                         panel.frame.right() / scene.width, panel.frame.top() / scene.height);
   FillRenderer(panel, renderer);
-  renderer->SetPreserveColorBuffer(panel.canvas.a == 0);
   return renderer;
 }
 
@@ -142,10 +141,12 @@ void Clear(vtkRenderWindow* window) {
 
 void Show(const Scene& scene, vtkRenderWindow* window) {
   Clear(window);
-  const auto sheet = PanelRenderer(SheetOf(scene), scene);
-  sheet->SetPreserveColorBuffer(false);  // what is left of the picture before
-  window->AddRenderer(sheet);
-  for (const Panel& panel : scene.panels) window->AddRenderer(PanelRenderer(panel, scene));
+  window->AddRenderer(PanelRenderer(SheetOf(scene), scene));
+  for (const Panel& panel : scene.panels) {
+    const auto renderer = PanelRenderer(panel, scene);
+    renderer->SetPreserveColorBuffer(panel.canvas.a == 0);
+    window->AddRenderer(renderer);
+  }
 }
 
 }  // namespace loopscope

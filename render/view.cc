@@ -49,21 +49,21 @@ void RequireFilter(const ViewRequest& request) {
 }
 
 void RequireCamera(const ViewRequest& request) {
-  constexpr double kFarthest = 1e6;  // [m] as far as a robot may go, see IsInMap
   const auto& width = request.width_in_meters;
   const auto& height = request.height_in_meters;
   if (request.view == ViewKind::kChart && (request.center || width || height)) {
     throw std::invalid_argument("view chart has no map: expected no center and no size of it");
   }
   for (const auto& [name, size] : {std::pair("width", width), std::pair("height", height)}) {
-    if (!size || (*size > 0.0 && *size <= kFarthest)) continue;
-    throw std::invalid_argument(fmt::format(
-        "{} of the map is {:g} m: expected more than 0, and at most {:g}", name, *size, kFarthest));
+    if (!size || (*size > 0.0 && *size <= kMaxMapCoordinate)) continue;
+    throw std::invalid_argument(
+        fmt::format("{} of the map is {:g} m: expected more than 0, and at most {:g}", name, *size,
+                    kMaxMapCoordinate));
   }
-  if (request.center && !(request.center->cwiseAbs().maxCoeff() <= kFarthest)) {
+  if (request.center && !(request.center->cwiseAbs().maxCoeff() <= kMaxMapCoordinate)) {
     throw std::invalid_argument(
         fmt::format("center of the map is {:g}, {:g}: expected two numbers of at most {:g} m",
-                    request.center->x(), request.center->y(), kFarthest));
+                    request.center->x(), request.center->y(), kMaxMapCoordinate));
   }
 }
 

@@ -119,20 +119,17 @@ int RunEvaluate(const EvaluateArguments& arguments) {
         "nothing to compare with for --max-error; expected --relations or --reference");
   }
   std::vector<Evaluation> evaluations;
-  bool all_are_whole = true;
+  bool are_good = true;
   for (const std::string& path : arguments.runs) {
     const EvaluatedRun run = LoadRun(path);
-    if (arguments.max_error && !IsWhole(run)) all_are_whole = false;
     evaluations.push_back(Evaluate(run, truth));
+    if (arguments.max_error) {
+      are_good &= IsWhole(run) && IsWithin(evaluations.back(), *arguments.max_error);
+    }
     if (!arguments.plot.empty()) Plot(run, truth, arguments);
   }
   Print(evaluations, arguments);
-  if (!arguments.max_error) return 0;
-  if (!all_are_whole) return 1;
-  for (const Evaluation& evaluation : evaluations) {
-    if (!IsWithin(evaluation, *arguments.max_error)) return 1;
-  }
-  return 0;
+  return are_good ? 0 : 1;
 }
 
 constexpr char kColumns[] =

@@ -55,11 +55,6 @@ std::vector<Row> Ledger(const Recording& recording, const LoopsArguments& argume
   return rows;
 }
 
-/// Whether a search ended with a place, and not below min_score.
-bool HasPlace(const LoopCandidate& c) {
-  return c.verdict == Verdict::kAccepted || IsRefused(c.verdict);
-}
-
 /// Of the place found, seen from the guess: how far the search moved the node.
 Pose2 Moved(const LoopCandidate& c) {
   return c.submap_from_node_guess.Inverse() * c.submap_from_node_searched;
@@ -83,11 +78,11 @@ void PrintTable(const std::vector<Row>& rows) {
     fmt::print("{:>9} {:>10} {:>6} {:>6}  {:<12}", ToString(c.submap), ToString(c.node),
                c.considered_step, c.applied_step, ToString(c.verdict));
     if (c.verdict != Verdict::kNotSampled) {
-      fmt::print(" {:>6.3f} {:>6.3f} {:>6.3f} {:>7.2f} {:>7.2f} {:>9} {:>7} {:>5}", c.score,
-                 c.min_score, c.score_bound, c.linear_search_window,
-                 RadiansToDegrees(c.angular_search_window),
-                 HasPlace(c) ? fmt::format("{:.2f}", MovedMeters(c)) : "",
-                 HasPlace(c) ? fmt::format("{:.2f}", MovedDegrees(c)) : "", c.num_supporters);
+      fmt::print(
+          " {:>6.3f} {:>6.3f} {:>6.3f} {:>7.2f} {:>7.2f} {:>9} {:>7} {:>5}", c.score, c.min_score,
+          c.score_bound, c.linear_search_window, RadiansToDegrees(c.angular_search_window),
+          IsFound(c.verdict) ? fmt::format("{:.2f}", MovedMeters(c)) : "",
+          IsFound(c.verdict) ? fmt::format("{:.2f}", MovedDegrees(c)) : "", c.num_supporters);
     }
     if (row.residual) fmt::print(" {:>9.3f} {:>9.2f}", ResidualMeters(row), ResidualDegrees(row));
     fmt::print("\n");
@@ -107,7 +102,7 @@ void PrintCsv(const std::vector<Row>& rows) {
     } else {
       fmt::print("{},{},{},{},{},{},{},", c.score, c.min_score, c.score_bound,
                  c.linear_search_window, RadiansToDegrees(c.angular_search_window),
-                 HasPlace(c) ? fmt::format("{},{}", MovedMeters(c), MovedDegrees(c)) : ",",
+                 IsFound(c.verdict) ? fmt::format("{},{}", MovedMeters(c), MovedDegrees(c)) : ",",
                  c.num_supporters);
     }
     if (row.residual) {
@@ -133,7 +128,7 @@ void PrintJson(const std::vector<Row>& rows) {
       entry["score_bound"] = c.score_bound;
       entry["linear_window_m"] = c.linear_search_window;
       entry["angular_window_deg"] = RadiansToDegrees(c.angular_search_window);
-      if (HasPlace(c)) {
+      if (IsFound(c.verdict)) {
         entry["moved_m"] = MovedMeters(c);
         entry["moved_deg"] = MovedDegrees(c);
       }

@@ -87,12 +87,10 @@ void PrintTree(const SearchTrace& trace) {
   }
 }
 
-bool IsFound(const LoopCandidate& result) { return result.verdict != Verdict::kBelowMinScore; }
-
 void PrintFound(const LoopCandidate& result) {
   fmt::print("score     {:.4f}, needed {:.4f}; no pose has more than {:.4f}\n", result.score,
              result.min_score, result.score_bound);
-  fmt::print("{:<10}{}\n", IsFound(result) ? "found at" : "best at",
+  fmt::print("{:<10}{}\n", IsFound(result.verdict) ? "found at" : "best at",
              ToText(result.submap_from_node_searched));
 }
 
@@ -110,7 +108,7 @@ void PrintSearch(const SearchReplay& search) {
   fmt::print("poses     {:.0f}, of which {:.0f} nodes of the tree were scored ({:.2g} %)\n",
              num_poses, num_scored, 100.0 * num_scored / num_poses);
   PrintFound(result);
-  if (IsFound(result)) fmt::print("refined   {}\n", ToText(result.submap_from_node));
+  if (IsFound(result.verdict)) fmt::print("refined   {}\n", ToText(result.submap_from_node));
   if (search.recorded) fmt::print("verdict   {}\n", ToString(search.candidate.verdict));
   PrintTree(search.trace);
 }
@@ -121,7 +119,7 @@ nlohmann::ordered_json ToJson(const Pose2& pose) {
 
 /// Null if nothing was found to refine.
 nlohmann::ordered_json RefinedToJson(const LoopCandidate& result) {
-  if (!IsFound(result)) return nullptr;
+  if (!IsFound(result.verdict)) return nullptr;
   return ToJson(result.submap_from_node);
 }
 
@@ -151,7 +149,7 @@ void PrintJson(const SearchReplay& search) {
                                        {"min_score", result.min_score},
                                        {"score_bound", result.score_bound},
                                        {"searched", ToJson(result.submap_from_node_searched)},
-                                       {"found", IsFound(result)},
+                                       {"found", IsFound(result.verdict)},
                                        {"refined", RefinedToJson(result)},
                                        {"winner", search.trace.winner},
                                        {"nodes", std::move(nodes)}})
@@ -165,7 +163,7 @@ void PrintWhole(const LoopCandidate& found) {
              ToString(found.submap));
   fmt::print("guess     {}\n", ToText(found.submap_from_node_guess));
   PrintFound(found);
-  if (!IsFound(found)) return;
+  if (!IsFound(found.verdict)) return;
   const Pose2 guess_from_node = found.submap_from_node_guess.Inverse() * found.submap_from_node;
   fmt::print("refined   {}\n", ToText(found.submap_from_node));
   fmt::print("off by    {:.3f} m, {:.2f} deg from the guess\n", guess_from_node.translation.norm(),
@@ -180,7 +178,7 @@ void PrintWholeJson(const LoopCandidate& found) {
                                        {"min_score", found.min_score},
                                        {"score_bound", found.score_bound},
                                        {"searched", ToJson(found.submap_from_node_searched)},
-                                       {"found", IsFound(found)},
+                                       {"found", IsFound(found.verdict)},
                                        {"refined", RefinedToJson(found)}})
                    .dump(1)
             << "\n";
@@ -211,7 +209,7 @@ int SearchWhole(const Recording& recording, SubmapId submap, NodeId node,
   } else {
     PrintWhole(*found);
   }
-  return IsFound(*found) ? 0 : 1;
+  return IsFound(found->verdict) ? 0 : 1;
 }
 
 int RunSearch(const SearchArguments& arguments) {
@@ -228,7 +226,7 @@ int RunSearch(const SearchArguments& arguments) {
     PrintSearch(*search);
   }
   if (!arguments.output.empty()) DrawSearch(recording, arguments);
-  return IsFound(search->result) ? 0 : 1;
+  return IsFound(search->result.verdict) ? 0 : 1;
 }
 
 }  // namespace

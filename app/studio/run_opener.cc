@@ -38,23 +38,24 @@ bool IsSameFile(const std::string& a, const std::string& b) {
   return QFileInfo(QString::fromStdString(a)) == QFileInfo(QString::fromStdString(b));
 }
 
-}  // namespace
-
-std::string NewRecordingPath(const std::string& log_path) {
-  const QFileInfo log(QString::fromStdString(log_path));
-  QString folder = log.absolutePath();
+/// A file for the recording of a log that does not exist yet: beside that file if that is possible,
+/// else in the person's folder for data.
+std::string NewRecordingPath(const std::string& beside, const std::string& log_name) {
+  QString folder = QFileInfo(QString::fromStdString(beside)).absolutePath();
   if (!QFileInfo(folder).isWritable()) {
     folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
     QDir().mkpath(folder);
   }
-  QString name = QString::fromStdString(LogStem(log.fileName().toStdString()));
-  if (name.endsWith(".loopscope")) name.chop(10);  // a recording is mapped again
+  const QFileInfo log(QString::fromStdString(log_name));
+  const QString name = QString::fromStdString(LogStem(log.fileName().toStdString()));
   QString path = folder + "/" + name + ".loopscope";
   for (int i = 2; QFileInfo::exists(path); ++i) {
     path = QString("%1/%2-%3.loopscope").arg(folder, name).arg(i);
   }
   return path.toStdString();
 }
+
+}  // namespace
 
 RunOpener::RunOpener() {
   connect(&reading_, &QFutureWatcherBase::finished, this, &RunOpener::TakeFile);
@@ -89,9 +90,9 @@ void RunOpener::TakeFile() {
   }
 }
 
-void RunOpener::Map(ScanLog log, const Options& options, const std::string& log_path) {
+void RunOpener::Map(ScanLog log, const Options& options, const std::string& beside) {
   mapping_.reset();
-  const std::string path = NewRecordingPath(log_path);
+  const std::string path = NewRecordingPath(beside, log.name);
   emit Opened(path, std::make_shared<Recording>(log, options));
   mapping_ = std::make_unique<MappingWorker>(std::move(log), options, path);
   connect(mapping_.get(), &MappingWorker::Grown, this, &RunOpener::TakeUpdates);

@@ -32,8 +32,8 @@ class RunOpener : public QObject {
 
   /// Reads a recording or a log. A log is then mapped with `options`.
   void Open(const std::string& path, const Options& options);
-  /// Maps a log that is known already.
-  void Map(ScanLog log, const Options& options, const std::string& log_path);
+  /// Maps a log that is known already. The recording is put beside a file, the log or a recording.
+  void Map(ScanLog log, const Options& options, const std::string& beside);
   /// Forgets a file that is being read, and stops mapping; what was mapped until now stays.
   void Stop();
 
@@ -63,9 +63,5 @@ class RunOpener : public QObject {
   Options options_;
   std::unique_ptr<MappingWorker> mapping_;
 };
-
-/// A file for the recording of a log that does not exist yet: beside the log if that is possible,
-/// else in the person's folder for data.
-std::string NewRecordingPath(const std::string& log_path);
 
 }  // namespace loopscope

@@ -37,9 +37,8 @@ bool operator==(const Pose2& a, const Pose2& b) {
 }
 
 bool IsInMap(const Pose2& pose) {
-  constexpr double kFarthest = 1e6;  // [m]
-  return std::isfinite(pose.rotation) && std::abs(pose.x()) <= kFarthest &&
-         std::abs(pose.y()) <= kFarthest;
+  return std::isfinite(pose.rotation) && std::abs(pose.x()) <= kMaxMapCoordinate &&
+         std::abs(pose.y()) <= kMaxMapCoordinate;
 }
 
 double Rounded(double value) { return std::round(1e6 * value) / 1e6; }

@@ -40,8 +40,10 @@ Eigen::Vector2d operator*(const Pose2& target_from_source, const Eigen::Vector2d
 bool operator==(const Pose2& a, const Pose2& b);
 inline bool operator!=(const Pose2& a, const Pose2& b) { return !(a == b); }
 
-/// Whether a map can hold the pose: it is a number, and within 1000 km of the origin in x and in y.
-/// Cells of 5 mm can be counted so far.
+/// [m] A map reaches so far from its origin, in x and in y. Cells of 5 mm can be counted so far.
+constexpr double kMaxMapCoordinate = 1e6;
+
+/// Whether a map can hold the pose: it is a number, and not beyond.
 bool IsInMap(const Pose2& pose);
 
 /// `value` with six decimals. What is recorded is rounded so: no measurement is as exact, and the

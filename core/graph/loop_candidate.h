@@ -31,6 +31,11 @@ constexpr bool IsRefused(Verdict verdict) {
          verdict == Verdict::kInconsistent;
 }
 
+/// Whether the search found a place that scores enough, believed or not.
+constexpr bool IsFound(Verdict verdict) {
+  return verdict == Verdict::kAccepted || IsRefused(verdict);
+}
+
 /// A pair of a node and a finished submap that came up for a loop search. Of one that was not
 /// sampled, only ids, steps and verdict are set.
 struct LoopCandidate {

@@ -11,7 +11,6 @@
 #include "core/io/replace_file.h"
 
 namespace loopscope {
-
 namespace {
 
 /// Relations have eight numbers a line, too.

@@ -67,13 +67,6 @@ namespace loopscope {
 
 HWY_EXPORT(BlendRowHere);
 
-Color Blended(const Color& color, const Color& beneath) {
-  const auto mean = [&](int over, int under) {
-    return static_cast<std::uint8_t>((over * color.a + under * (255 - color.a) + 127) / 255);
-  };
-  return {mean(color.r, beneath.r), mean(color.g, beneath.g), mean(color.b, beneath.b)};
-}
-
 void BlendRow(const Color* over, const Color* ground, std::size_t num_pixels, Color* blended) {
   HWY_DYNAMIC_DISPATCH(BlendRowHere)
   (reinterpret_cast<const std::uint8_t*>(over), reinterpret_cast<const std::uint8_t*>(ground),

@@ -9,9 +9,6 @@
 
 namespace loopscope {
 
-/// `color` over an opaque one.
-Color Blended(const Color& color, const Color& beneath);
-
 /// A row of pixels over an opaque one, `ground`. Those of `over` are as OpenGL leaves them on what
 /// was clear and black: their colours are multiplied by their opacity.
 void BlendRow(const Color* over, const Color* ground, std::size_t num_pixels, Color* blended);

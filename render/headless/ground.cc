@@ -11,8 +11,6 @@
 #include <vtkProperty.h>
 #include <vtkTexture.h>
 
-#include "render/headless/blending.h"
-
 namespace loopscope {
 namespace {
 
@@ -64,7 +62,7 @@ void Ground::Image::PaintRow(int y, Color* row) const {
     if (cell.a == 255) {
       *pixel = cell;
     } else if (cell.a > 0) {
-      *pixel = Blended(cell, *pixel);
+      *pixel = Blend(*pixel, WithOpacity(cell, 1.0), cell.a / 255.0);
     }
     ++pixel;
   }

@@ -53,12 +53,5 @@ TEST(BlendRow, PutsWhatIsOverTheGroundInFrontOfItsRest) {
   }
 }
 
-TEST(Blended, IsTheColorItselfWhereThatIsOpaqueAndHalfOfBothInTheMiddle) {
-  const Color beneath{10, 100, 200};
-  EXPECT_EQ(Blended({1, 2, 3, 255}, beneath), (Color{1, 2, 3}));
-  EXPECT_EQ(Blended({1, 2, 3, 0}, beneath), beneath);
-  EXPECT_EQ(Blended({110, 0, 0, 51}, beneath), (Color{30, 80, 160}));
-}
-
 }  // namespace
 }  // namespace loopscope

@@ -106,6 +106,25 @@ TEST(Ground, HasPaperAndCanvasesWhereNoCellIs) {
   EXPECT_EQ(row[94], kCanvas);
 }
 
+TEST(Ground, CellsAreThemselvesWhereTheyAreOpaqueAndAFifthOfBothWhereTheyAreNearlyClear) {
+  const Color canvas{10, 100, 200};
+  const auto pixel_of = [&](const Color& cell) {
+    CellImage image({{-9, -9}, 19, 19});
+    for (int y = -9; y < 10; ++y) {
+      for (int x = -9; x < 10; ++x) image.Set({x, y}, cell);
+    }
+    Scene scene = SceneOf({CellImageLayer(image, Pose2(), 1.0)}, {{0.0, 0.0}, 0.1}, 1);
+    scene.panels[0].canvas = canvas;
+    const Ground ground(&scene);
+    std::vector<Color> row(100);
+    ground.PaintRow(20, row.data());
+    return row[20];
+  };
+  EXPECT_EQ(pixel_of({1, 2, 3, 255}), (Color{1, 2, 3}));
+  EXPECT_EQ(pixel_of({1, 2, 3, 0}), canvas);
+  EXPECT_EQ(pixel_of({110, 0, 0, 51}), (Color{30, 80, 160}));
+}
+
 TEST(Ground, TellsWhichRowsAreLikeThoseBeneath) {
   Scene scene = SceneOf({ImageLayer()}, {{0.0, 0.0}, 0.3}, 2);
   const Ground ground(&scene);
