@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -60,9 +61,17 @@ bool operator==(const ViewRequest& a, const ViewRequest& b);
 /// larger ones, of which four times as many do not fit in memory.
 int OversamplingOf(const ViewRequest& request);
 
+/// At the step that is asked for there is nothing yet of what the view shows, while at another
+/// there may be.
+class NothingToShow : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
 /// The picture of a view: a pure function of its arguments. The frame is the map's for map and
 /// graph, and that of the submap shown for the others. Throws std::invalid_argument that says what
-/// was expected if the recording does not have what is asked for.
+/// was expected if the recording does not have what is asked for, NothingToShow if not at that
+/// step.
 Scene BuildScene(const Recording& recording, const ViewRequest& request, int oversampling = 1);
 
 /// The same picture of the recording of `cache`, which makes a series of pictures faster.

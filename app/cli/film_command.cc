@@ -4,6 +4,7 @@
 #include <future>
 #include <malloc.h>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -36,8 +37,23 @@ void KeepFreedMemory() {
   mallopt(M_TRIM_THRESHOLD, kBytes);
 }
 
-/// Returns the number of frames; fewer than there are steps if the user interrupted it.
-int Shoot(const Recording& recording, const FilmArguments& arguments, const StepRange& steps) {
+/// Nothing where there is nothing to show.
+std::optional<Picture> Frame(Painter* painter, DerivedCache* cache, const ViewRequest& request) {
+  try {
+    return painter->Draw(cache, request);
+  } catch (const NothingToShow&) {
+    return std::nullopt;
+  }
+}
+
+struct Shot {
+  int num_frames = 0;
+  int num_left_out = 0;  ///< steps of which there is nothing to show
+};
+
+/// Fewer than there are steps if the user interrupted it. Throws NothingToShow if there is no frame
+/// at all.
+Shot Shoot(const Recording& recording, const FilmArguments& arguments, const StepRange& steps) {
   DerivedCache cache(recording);
   Painter painter(BackendFromName(arguments.view.picture.backend));
   ViewRequest request =
@@ -45,21 +61,25 @@ int Shoot(const Recording& recording, const FilmArguments& arguments, const Step
   const auto film = MakeFilmWriter(arguments.output, arguments.frames_per_second);
   const InterruptGuard guard;
   ProgressBar bar;
+  Shot shot;
   int done = 0;
   std::future<void> written;  // the frame before, while the next one is drawn
-  while (done < steps.count() && !(done > 0 && InterruptGuard::interrupted())) {
-    request.step = steps.step(done);
-    Picture picture = painter.Draw(&cache, request);
-    if (written.valid()) written.get();
-    written = std::async(std::launch::async,
-                         [&film, picture = std::move(picture)] { film->Add(picture); });
-    ++done;
-    bar.Show(done, steps.count(), fmt::format("frames  {:.1f} frames/s", done / bar.seconds()));
+  while (done < steps.count() && !(shot.num_frames > 0 && InterruptGuard::interrupted())) {
+    request.step = steps.step(done++);
+    if (std::optional<Picture> picture = Frame(&painter, &cache, request)) {
+      if (written.valid()) written.get();
+      written = std::async(std::launch::async,
+                           [&film, picture = *std::move(picture)] { film->Add(picture); });
+      ++shot.num_frames;
+    } else if (++shot.num_left_out == steps.count()) {
+      painter.Draw(&cache, request);  // throws why there is nothing
+    }
+    bar.Show(done, steps.count(), fmt::format("steps  {:.1f} steps/s", done / bar.seconds()));
   }
   bar.End();
   written.get();
   film->Finish();
-  return done;
+  return shot;
 }
 
 int RunFilm(const FilmArguments& arguments) {
@@ -69,10 +89,13 @@ int RunFilm(const FilmArguments& arguments) {
   RequireFilmPath(arguments.output);  // before the work begins
   const Recording recording = ReadRun(arguments.run);
   const StepRange steps = ParseStepRange(arguments.steps, recording.num_steps());
-  const int num_frames = Shoot(recording, arguments, steps);
-  fmt::print("{}: {} frames, {:.1f} s\n", arguments.output, num_frames,
-             num_frames / arguments.frames_per_second);
-  if (num_frames == steps.count()) return 0;
+  const Shot shot = Shoot(recording, arguments, steps);
+  fmt::print("{}: {} frames, {:.1f} s{}\n", arguments.output, shot.num_frames,
+             shot.num_frames / arguments.frames_per_second,
+             shot.num_left_out > 0
+                 ? fmt::format("; left out {} steps with nothing to show", shot.num_left_out)
+                 : "");
+  if (shot.num_frames + shot.num_left_out == steps.count()) return 0;
   fmt::print(stderr, "loopscope: interrupted; {} holds the frames until then\n", arguments.output);
   return 1;
 }

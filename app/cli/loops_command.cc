@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -13,6 +16,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/run_arguments.h"
+#include "core/graph/outliers.h"
 #include "core/io/recording_file.h"
 #include "core/slam/loop_explanation.h"
 
@@ -32,7 +36,80 @@ struct LoopsArguments {
 struct Row {
   const LoopCandidate* candidate;
   std::optional<Eigen::Vector3d> residual;  ///< [m, m, rad] at the end, if closed
+  bool is_held = false;                     ///< at the end, if closed: it is no outlier
 };
+
+/// What a column says of a row; nothing where it does not apply.
+using Value = std::variant<std::monostate, int, double, bool, std::string, SubmapId, NodeId>;
+
+struct LedgerColumn {
+  std::string key;      ///< in JSON and CSV
+  std::string heading;  ///< in the table; empty: not there
+  int width = 0;        ///< in the table, negative: flush left
+  int decimals = 0;     ///< in the table
+  Value (*value)(const Row&);
+};
+
+Value If(bool applies, Value value) { return applies ? std::move(value) : Value(); }
+
+bool IsSearched(const Row& row) { return row.candidate->verdict != Verdict::kNotSampled; }
+
+/// Of the place found, seen from the guess: how far the search moved the node.
+Pose2 Moved(const LoopCandidate& c) {
+  return c.submap_from_node_guess.Inverse() * c.submap_from_node_searched;
+}
+
+template <double LoopCandidate::*number>
+Value OfSearch(const Row& row) {
+  return If(IsSearched(row), row.candidate->*number);
+}
+
+double Degrees(double radians) { return RadiansToDegrees(std::abs(NormalizeAngle(radians))); }
+
+const std::vector<LedgerColumn>& LedgerColumns() {
+  static const std::vector<LedgerColumn> columns = {
+      {"submap", "submap", 9, 0, [](const Row& row) { return Value(row.candidate->submap); }},
+      {"node", "node", 10, 0, [](const Row& row) { return Value(row.candidate->node); }},
+      {"considered_step", "scan", 6, 0,
+       [](const Row& row) { return Value(row.candidate->considered_step); }},
+      {"applied_step", "in at", 6, 0,
+       [](const Row& row) { return Value(row.candidate->applied_step); }},
+      {"verdict", " verdict", -14, 0,
+       [](const Row& row) { return Value(ToString(row.candidate->verdict)); }},
+      {"score", "score", 6, 3, OfSearch<&LoopCandidate::score>},
+      {"min_score", "needed", 6, 3, OfSearch<&LoopCandidate::min_score>},
+      {"score_bound", "bound", 6, 3, OfSearch<&LoopCandidate::score_bound>},
+      {"rival_score", "rival", 6, 3,
+       [](const Row& row) {
+         return If(row.candidate->rival_score > 0.0, row.candidate->rival_score);
+       }},
+      {"linear_window_m", "win [m]", 7, 2, OfSearch<&LoopCandidate::linear_search_window>},
+      {"angular_window_deg", "[deg]", 6, 2,
+       [](const Row& row) {
+         return If(IsSearched(row), RadiansToDegrees(row.candidate->angular_search_window));
+       }},
+      {"moved_m", "moved [m]", 9, 2,
+       [](const Row& row) {
+         return If(IsFound(row.candidate->verdict), Moved(*row.candidate).translation.norm());
+       }},
+      {"moved_deg", "[deg]", 6, 2,
+       [](const Row& row) {
+         return If(IsFound(row.candidate->verdict), Degrees(Moved(*row.candidate).rotation));
+       }},
+      {"supporters", "agree", 5, 0,
+       [](const Row& row) { return If(IsSearched(row), row.candidate->num_supporters); }},
+      {"residual_m", "resid [m]", 9, 3,
+       [](const Row& row) {
+         return row.residual ? Value(row.residual->head<2>().norm()) : Value();
+       }},
+      {"residual_deg", "[deg]", 6, 2,
+       [](const Row& row) { return row.residual ? Value(Degrees(row.residual->z())) : Value(); }},
+      {"held", "held", 5, 0,
+       [](const Row& row) { return row.residual ? Value(row.is_held) : Value(); }},
+      {"reason", "", 0, 0, [](const Row& row) { return Value(ReasonOf(row.candidate->verdict)); }},
+  };
+  return columns;
+}
 
 bool IsWanted(const LoopCandidate& candidate, const LoopsArguments& arguments) {
   if (arguments.node && candidate.node.index != *arguments.node) return false;
@@ -45,98 +122,89 @@ std::vector<Row> Ledger(const Recording& recording, const LoopsArguments& argume
   std::vector<Row> rows;
   if (recording.num_steps() == 0) return rows;
   const MapState state = StateAfterStep(recording, recording.num_steps() - 1);
+  const OutlierOptions& outliers = recording.options().pose_graph.optimization_problem.outliers;
   for (const LoopCandidate& candidate : recording.candidates()) {
     if (!IsWanted(candidate, arguments)) continue;
-    rows.push_back({&candidate, std::nullopt});
+    Row row{&candidate, std::nullopt};
     if (candidate.verdict == Verdict::kAccepted) {
-      rows.back().residual = LoopResidual(state, candidate);
+      row.residual = LoopResidual(state, candidate);
+      row.is_held = !IsOutlier(*row.residual, outliers);
     }
+    rows.push_back(row);
   }
   return rows;
 }
 
-/// Of the place found, seen from the guess: how far the search moved the node.
-Pose2 Moved(const LoopCandidate& c) {
-  return c.submap_from_node_guess.Inverse() * c.submap_from_node_searched;
-}
-double MovedMeters(const LoopCandidate& c) { return Moved(c).translation.norm(); }
-double MovedDegrees(const LoopCandidate& c) {
-  return RadiansToDegrees(std::abs(NormalizeAngle(Moved(c).rotation)));
+/// Called with each kind of value.
+template <typename... Functions>
+struct Overloaded : Functions... {
+  using Functions::operator()...;
+};
+template <typename... Functions>
+Overloaded(Functions...) -> Overloaded<Functions...>;
+
+std::string TableField(const LedgerColumn& column, const Value& value) {
+  return std::visit(
+      Overloaded{[](std::monostate) { return std::string(); },
+                 [&](double number) { return fmt::format("{:.{}f}", number, column.decimals); },
+                 [](bool is) { return std::string(is ? "yes" : "no"); },
+                 [](int number) { return fmt::format("{}", number); },
+                 [](const std::string& text) { return text; },
+                 [](const auto& id) { return ToString(id); }},
+      value);
 }
 
-double ResidualMeters(const Row& row) { return row.residual->head<2>().norm(); }
-double ResidualDegrees(const Row& row) { return RadiansToDegrees(std::abs(row.residual->z())); }
+void PrintTableLine(const std::function<std::string(const LedgerColumn&)>& field) {
+  std::string line;
+  for (const LedgerColumn& column : LedgerColumns()) {
+    if (column.heading.empty()) continue;
+    line += column.width > 0 ? fmt::format("{:>{}} ", field(column), column.width)
+                             : fmt::format("{:<{}} ", field(column), -column.width);
+  }
+  line.erase(line.find_last_not_of(' ') + 1);
+  fmt::print("{}\n", line);
+}
 
 void PrintTable(const std::vector<Row>& rows) {
-  constexpr char kColumns[] =
-      "{:>9} {:>10} {:>6} {:>6}  {:<12} {:>6} {:>6} {:>6} {:>7} {:>7} {:>9} {:>7} {:>5} {:>9} "
-      "{:>9}\n";
-  fmt::print(kColumns, "submap", "node", "scan", "in at", "verdict", "score", "needed", "bound",
-             "win [m]", "[deg]", "moved [m]", "[deg]", "agree", "resid [m]", "[deg]");
+  PrintTableLine([](const LedgerColumn& column) { return column.heading; });
   for (const Row& row : rows) {
-    const LoopCandidate& c = *row.candidate;
-    fmt::print("{:>9} {:>10} {:>6} {:>6}  {:<12}", ToString(c.submap), ToString(c.node),
-               c.considered_step, c.applied_step, ToString(c.verdict));
-    if (c.verdict != Verdict::kNotSampled) {
-      fmt::print(
-          " {:>6.3f} {:>6.3f} {:>6.3f} {:>7.2f} {:>7.2f} {:>9} {:>7} {:>5}", c.score, c.min_score,
-          c.score_bound, c.linear_search_window, RadiansToDegrees(c.angular_search_window),
-          IsFound(c.verdict) ? fmt::format("{:.2f}", MovedMeters(c)) : "",
-          IsFound(c.verdict) ? fmt::format("{:.2f}", MovedDegrees(c)) : "", c.num_supporters);
-    }
-    if (row.residual) fmt::print(" {:>9.3f} {:>9.2f}", ResidualMeters(row), ResidualDegrees(row));
-    fmt::print("\n");
+    PrintTableLine([&](const LedgerColumn& column) {
+      const std::string margin = column.width < 0 ? " " : "";
+      return margin + TableField(column, column.value(row));
+    });
   }
 }
 
+std::string CsvField(const Value& value) {
+  return std::visit(Overloaded{[](std::monostate) { return std::string(); },
+                               [](SubmapId id) { return fmt::format("{}", id.index); },
+                               [](NodeId id) { return fmt::format("{}", id.index); },
+                               [](const auto& other) { return fmt::format("{}", other); }},
+                    value);
+}
+
 void PrintCsv(const std::vector<Row>& rows) {
-  fmt::print(
-      "submap,node,considered_step,applied_step,verdict,score,min_score,score_bound,"
-      "linear_window_m,angular_window_deg,moved_m,moved_deg,supporters,residual_m,residual_deg\n");
+  const auto print = [](const auto& field) {
+    std::vector<std::string> fields;
+    for (const LedgerColumn& column : LedgerColumns()) fields.push_back(field(column));
+    fmt::print("{}\n", fmt::join(fields, ","));
+  };
+  print([](const LedgerColumn& column) { return column.key; });
   for (const Row& row : rows) {
-    const LoopCandidate& c = *row.candidate;
-    fmt::print("{},{},{},{},{},", c.submap.index, c.node.index, c.considered_step, c.applied_step,
-               ToString(c.verdict));
-    if (c.verdict == Verdict::kNotSampled) {
-      fmt::print(",,,,,,,,");
-    } else {
-      fmt::print("{},{},{},{},{},{},{},", c.score, c.min_score, c.score_bound,
-                 c.linear_search_window, RadiansToDegrees(c.angular_search_window),
-                 IsFound(c.verdict) ? fmt::format("{},{}", MovedMeters(c), MovedDegrees(c)) : ",",
-                 c.num_supporters);
-    }
-    if (row.residual) {
-      fmt::print("{},{}\n", ResidualMeters(row), ResidualDegrees(row));
-    } else {
-      fmt::print(",\n");
-    }
+    print([&](const LedgerColumn& column) { return CsvField(column.value(row)); });
   }
 }
 
 void PrintJson(const std::vector<Row>& rows) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Row& row : rows) {
-    const LoopCandidate& c = *row.candidate;
-    nlohmann::ordered_json entry = {{"submap", c.submap.index},
-                                    {"node", c.node.index},
-                                    {"considered_step", c.considered_step},
-                                    {"applied_step", c.applied_step},
-                                    {"verdict", ToString(c.verdict)}};
-    if (c.verdict != Verdict::kNotSampled) {
-      entry["score"] = c.score;
-      entry["min_score"] = c.min_score;
-      entry["score_bound"] = c.score_bound;
-      entry["linear_window_m"] = c.linear_search_window;
-      entry["angular_window_deg"] = RadiansToDegrees(c.angular_search_window);
-      if (IsFound(c.verdict)) {
-        entry["moved_m"] = MovedMeters(c);
-        entry["moved_deg"] = MovedDegrees(c);
-      }
-      entry["supporters"] = c.num_supporters;
-    }
-    if (row.residual) {
-      entry["residual_m"] = ResidualMeters(row);
-      entry["residual_deg"] = ResidualDegrees(row);
+    nlohmann::ordered_json entry;
+    for (const LedgerColumn& column : LedgerColumns()) {
+      std::visit(
+          Overloaded{[](std::monostate) {}, [&](SubmapId id) { entry[column.key] = id.index; },
+                     [&](NodeId id) { entry[column.key] = id.index; },
+                     [&](const auto& other) { entry[column.key] = other; }},
+          column.value(row));
     }
     list.push_back(std::move(entry));
   }
@@ -161,12 +229,16 @@ int RunLoops(const LoopsArguments& arguments) {
 constexpr char kColumns[] =
     "Columns: scan: after which the pair came up. in at: the scan after which the result entered "
     "the\n"
-    "graph. needed: the score to beat. bound: no pose in the window scores more. win, [deg]: half "
-    "the\n"
-    "window, each way from where the map had the node. moved, [deg]: from there to where the "
-    "search\n"
-    "found it. agree: other nodes with loops that say the same. resid, [deg]: of eq. 5, at the "
-    "end.";
+    "graph. needed: the score to beat. bound: no pose in the window scores more. rival: score of a "
+    "place\n"
+    "far from the winner. win, [deg]: half the window, each way from where the map had the node. "
+    "moved,\n"
+    "[deg]: from there to where the search found it. agree: other nodes with loops that say the "
+    "same.\n"
+    "resid, [deg]: of eq. 5, at the end. held: whether the loop still was no outlier then. JSON "
+    "and "
+    "CSV\n"
+    "have the reason of the verdict, too.";
 
 std::vector<std::string> NamesOfVerdicts() {
   std::vector<std::string> names;

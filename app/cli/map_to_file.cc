@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -14,6 +17,26 @@
 
 namespace loopscope {
 
+namespace {
+
+/// Tells in the end, however that comes, of a finished recording that this run did not replace.
+class TellerOfKept {
+ public:
+  explicit TellerOfKept(const std::string& path) : kept_(KeptRecording(path)) {}
+  TellerOfKept(const TellerOfKept&) = delete;
+  TellerOfKept& operator=(const TellerOfKept&) = delete;
+  ~TellerOfKept() {
+    std::error_code ignored;
+    if (!std::filesystem::exists(kept_, ignored)) return;
+    fmt::print(stderr, "loopscope: the finished run that was there is now {}\n", kept_);
+  }
+
+ private:
+  std::string kept_;
+};
+
+}  // namespace
+
 int DefaultNumThreads() {
   return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }
@@ -21,6 +44,7 @@ int DefaultNumThreads() {
 MappedFile MapToFile(const ScanLog& log, const Options& options, int num_threads,
                      const std::string& path) {
   RecordingWriter writer(path, log, options);
+  const TellerOfKept teller(path);
   const InterruptGuard guard;
   ProgressBar bar;
   Recording recording = MapLog(log, options, num_threads, &writer,

@@ -137,24 +137,4 @@ void LoopTable::Show(const Recording& recording, const MapState& state) {
   }
 }
 
-std::string ReasonOf(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kTooFar:
-      return "too far apart to be searched";
-    case Verdict::kNotSampled:
-      return "skipped by sampling_ratio";
-    case Verdict::kBelowMinScore:
-      return "nothing in the window matches well enough";
-    case Verdict::kAmbiguous:
-      return "the scan fits at another place nearly as well";
-    case Verdict::kFromBehind:
-      return "it lies on walls that the submap knows from the other side only";
-    case Verdict::kInconsistent:
-      return "too few loops of other nodes say the same";
-    case Verdict::kAccepted:
-      return "passed every gate";
-  }
-  return "";
-}
-
 }  // namespace loopscope

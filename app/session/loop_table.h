@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
-
 #include "app/session/table.h"
 #include "core/slam/recording.h"
 #include "core/slam/state.h"
@@ -31,8 +29,5 @@ class LoopTable {
 
   Table table_;
 };
-
-/// Why a candidate got its verdict, in a few words without numbers.
-std::string ReasonOf(Verdict verdict);
 
 }  // namespace loopscope

@@ -167,7 +167,7 @@ void AdviseOnTimes(const ScanLog& log, LogReport* report) {
   }
 }
 
-void AdviseOnJumps(const ScanLog& log, LogReport* report) {
+void AdviseOnJumps(const ScanLog& log, const OdometryOfScans& odometry, LogReport* report) {
   const Jumps jumps = JumpsOf(log.odometry);
   if (jumps.count > 0) {
     report->advice.push_back(fmt::format(
@@ -178,20 +178,29 @@ void AdviseOnJumps(const ScanLog& log, LogReport* report) {
         ScanAfter(log, jumps.first_reading)));
   }
   const std::vector<int> after_leaps =
-      ScansBeforeWhich(log, [&](int scan) { return OdometryLeaps(log, scan); });
+      ScansBeforeWhich(log, [&](int scan) { return OdometryLeaps(odometry, scan); });
   if (!after_leaps.empty()) {
     report->advice.push_back(fmt::format(
-        "Odometry leaps by a kilometre or more before {} scans, first before scan {}: no robot "
+        "Odometry leaps by 100 m or more before {} scans, first before scan {}: no robot "
         "does, and it is not used there.",
         after_leaps.size(), after_leaps.front()));
   }
 }
 
-void AdviseOnHanging(const ScanLog& log, LogReport* report) {
+void AdviseOnSlowness(const ScanLog& log, LogReport* report) {
+  const int num_scans = NumScansPerReading(log);
+  if (num_scans == 1) return;
+  report->advice.push_back(fmt::format(
+      "Odometry is new at one scan in {}: each motion is spread evenly over the scans since the "
+      "reading before.",
+      num_scans));
+}
+
+void AdviseOnHanging(const ScanLog& log, const OdometryOfScans& odometry, LogReport* report) {
   const double max_changed_share =
       LoopscopePreset().trajectory_builder_2d.max_changed_share_at_standstill;
-  const std::vector<int> after_hanging =
-      ScansBeforeWhich(log, [&](int scan) { return OdometryHangs(log, scan, max_changed_share); });
+  const std::vector<int> after_hanging = ScansBeforeWhich(
+      log, [&](int scan) { return OdometryHangs(log, odometry, scan, max_changed_share); });
   if (!after_hanging.empty()) {
     report->advice.push_back(fmt::format(
         "Odometry stands still before {} scans, first before scan {}, though they see something "
@@ -208,8 +217,10 @@ void AdviseOnOdometry(const ScanLog& log, LogReport* report) {
         "lost.");
     return;
   }
-  AdviseOnJumps(log, report);
-  AdviseOnHanging(log, report);
+  const OdometryOfScans odometry = ReadOdometryOfScans(log);
+  AdviseOnJumps(log, odometry, report);
+  AdviseOnSlowness(log, report);
+  AdviseOnHanging(log, odometry, report);
   constexpr double kSparse = 0.5;
   if (report->scan_distance > kSparse) {
     report->advice.push_back(fmt::format(

@@ -6,10 +6,10 @@
 
 namespace loopscope {
 
-/// Whether no robot moves so from one scan to the next: by a kilometre or more, or so far that it
-/// cannot be computed.
+/// Whether no robot moves so from one scan to the next: by 100 m or more, further than most
+/// scanners see, or so far that it cannot be computed.
 inline bool IsLeap(const Pose2& motion) {
-  constexpr double kFarthest = 1e3;  // [m]
+  constexpr double kFarthest = 100.0;  // [m]
   return !(motion.translation.norm() < kFarthest);
 }
 

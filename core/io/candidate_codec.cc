@@ -139,8 +139,10 @@ void PutCandidates(const std::vector<LoopCandidate>& candidates, ByteWriter* out
            refined(&LoopCandidate::submap_from_node_searched), out);
 }
 
-std::vector<LoopCandidate> GetCandidates(int step, ByteReader* in) {
-  Candidates candidates(in->GetCount(kMinBytesPerCandidate));
+std::vector<LoopCandidate> GetCandidates(int step, std::size_t max_count, ByteReader* in) {
+  const std::size_t count = in->GetCount(kMinBytesPerCandidate);
+  if (count > max_count) in->Fail("more loop candidates than the nodes and submaps allow");
+  Candidates candidates(count);
   const Kinds kinds = GetIds(step, &candidates, in);
   const auto set = [&](const auto& column, std::uint8_t flag, auto member) {
     SetColumn(column, kinds, flag, member, &candidates, *in);

@@ -14,7 +14,8 @@ namespace loopscope {
 /// was not accepted no refined pose.
 void PutCandidates(const std::vector<LoopCandidate>& candidates, ByteWriter* out);
 
-/// What PutCandidates packed, applied in `step`. Fails as ByteReader does.
-std::vector<LoopCandidate> GetCandidates(int step, ByteReader* in);
+/// What PutCandidates packed, applied in `step`. Fails as ByteReader does, and if they are more
+/// than `max_count`: well packed bytes may hold far more of them than memory.
+std::vector<LoopCandidate> GetCandidates(int step, std::size_t max_count, ByteReader* in);
 
 }  // namespace loopscope

@@ -41,6 +41,15 @@ void SettleJournal(const std::string& path) {
   fs::remove(journal);
 }
 
+/// Moves a recording that went to its end out of the way of one that may not.
+void KeepIfFinished(const std::string& path) {
+  if (!fs::exists(path) || !IsRecording(path)) return;
+  SQLite::Database database(path, SQLite::OPEN_READONLY);
+  const bool is_finished = database.tableExists("timing") &&
+                           database.execAndGet("SELECT count(*) FROM timing").getInt() > 0;
+  if (is_finished) fs::rename(path, KeptRecording(path));
+}
+
 void CheckReplaceable(const std::string& path) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
@@ -64,6 +73,7 @@ FileLock CreateRecording(const std::string& path, const ScanLog& log, const Opti
     std::optional<FileLock> replaced;
     if (fs::exists(path)) replaced.emplace(path, path);
     SettleJournal(path);
+    KeepIfFinished(path);
     fs::rename(part, path);
     return lock;
   } catch (...) {

@@ -14,7 +14,8 @@ class Database;
 
 namespace loopscope {
 
-/// Makes a recording without steps at `path`, in the place of another one if there is. It is
+/// Makes a recording without steps at `path`, in the place of another one if there is,
+/// which is moved to its KeptRecording if it is finished. It is
 /// written to `path`.part first; on failure, what was at `path` is as before. Nobody else can
 /// replace it while the lock is kept, which must outlive all connections of this process to it.
 /// Throws FileError, SQLite::Exception or std::filesystem::filesystem_error.

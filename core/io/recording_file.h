@@ -19,7 +19,8 @@ class RecordingWriter {
  public:
   /// Begins the recording of a run of `options` on `log`. A recording at `path` is replaced, at the
   /// moment in which the new one is complete but for its steps; until then it is written to
-  /// `path`.part. Throws FileError if that cannot be done, if another one is still being written
+  /// `path`.part. If the other went to its end, it is kept as KeptRecording until this one does.
+  /// Throws FileError if that cannot be done, if another one is still being written
   /// there, or if something else than a recording is at `path`; then that is left as it was.
   RecordingWriter(const std::string& path, const ScanLog& log, const Options& options);
   ~RecordingWriter();
@@ -29,7 +30,8 @@ class RecordingWriter {
   void Append(const SlamUpdate& update);
 
   /// To be called after the last step of a run that went to its end; sees to it that all is on
-  /// disk. `wall_seconds` is how long it took: no result depends on it.
+  /// disk, and removes the KeptRecording. `wall_seconds` is how long it took: no result depends on
+  /// it.
   void Finish(double wall_seconds);
 
  private:
@@ -38,6 +40,10 @@ class RecordingWriter {
   std::string path_;
   std::unique_ptr<Statements> statements_;
 };
+
+/// Where a finished recording is kept while another is written in its place, until that is
+/// finished, too: `path`.before.
+std::string KeptRecording(const std::string& path);
 
 /// Whether the file at `path` says that it is a recording. False if there is none.
 bool IsRecording(const std::string& path);

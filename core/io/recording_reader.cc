@@ -23,6 +23,13 @@
 namespace loopscope {
 namespace {
 
+/// A pair of a node and a submap came up four times at most in all that was ever mapped.
+constexpr std::size_t kMaxCandidatesOfPair = 16;
+
+/// Of the poses of an optimization: three varints each, and what is said of the columns.
+constexpr std::size_t kMaxBytesOfPose = 30;
+constexpr std::size_t kMaxBytesOfColumns = 100;
+
 /// Reads a recording from an open file.
 class Reader {
  public:
@@ -109,23 +116,29 @@ class Reader {
     }
   }
 
+  /// After nodes and submaps, as many as those allow.
   void ReadCandidates() {
+    std::size_t num_left = kMaxCandidatesOfPair * nodes_.size() * submaps_.size();
     SqliteTable table = Open("loop_candidates", "SELECT * FROM loop_candidates ORDER BY step");
     while (table.Next()) {
       const std::string where = fmt::format("loop candidates of step {}", table.Int(0));
       const std::string bytes = table.Unpacked(1, kMaxChunkSize, where);
       ByteReader in(bytes, path_, where);
-      candidates_.emplace_back(table.Int(0), GetCandidates(table.Int(0), &in));
+      candidates_.emplace_back(table.Int(0), GetCandidates(table.Int(0), num_left, &in));
+      num_left -= candidates_.back().second.size();
       in.ExpectEnd();
     }
   }
 
+  /// After nodes and submaps, of which they have no more poses.
   void ReadOptimizations() {
     const std::string drift_shares =
         Version() < 2 ? "1.0, 1.0" : "linear_drift_share, angular_drift_share";
     SqliteTable table =
         Open("optimization", "SELECT id, step, final, num_iterations, initial_cost, final_cost, " +
                                  drift_shares + ", data FROM optimization ORDER BY id");
+    const std::size_t max_size = std::min(
+        kMaxChunkSize, kMaxBytesOfColumns + kMaxBytesOfPose * (nodes_.size() + submaps_.size()));
     while (table.Next()) {
       if (table.Int(0) != static_cast<int>(optimizations_.size())) {
         Fail("optimizations are missing");
@@ -138,7 +151,7 @@ class Reader {
       optimization.final_cost = table.Double(5);
       optimization.drift_share = {table.Double(6), table.Double(7)};
       const std::string where = fmt::format("optimization of step {}", optimization.step);
-      const std::string bytes = table.Unpacked(8, kMaxChunkSize, where);
+      const std::string bytes = table.Unpacked(8, max_size, where);
       ByteReader in(bytes, path_, where);
       const Optimization* const last = optimizations_.empty() ? nullptr : &optimizations_.back();
       using Poses = std::vector<Pose2>;

@@ -159,7 +159,12 @@ void RecordingWriter::Append(const SlamUpdate& update) {
 }
 
 void RecordingWriter::Finish(double wall_seconds) {
-  Guard(path_, [&] { statements_->Finish(wall_seconds); });
+  Guard(path_, [&] {
+    statements_->Finish(wall_seconds);
+    std::filesystem::remove(KeptRecording(path_));
+  });
 }
+
+std::string KeptRecording(const std::string& path) { return path + ".before"; }
 
 }  // namespace loopscope

@@ -11,7 +11,6 @@
 #include "core/local/changed_ranges.h"
 #include "core/local/scan_preparation.h"
 #include "core/local/shared_jump.h"
-#include "core/local/used_odometry.h"
 #include "core/matching/match_score.h"
 #include "core/matching/wide_walls.h"
 
@@ -44,6 +43,7 @@ constexpr double kShareThatIsNotDoubted = 0.8;
 LocalSlam::LocalSlam(const ScanLog& log, const LocalSlamOptions& options)
     : log_(log),
       options_(options),
+      odometry_(UsedOdometry(log, options)),
       extrapolator_(OdometryCalibration(options.odometry_calibration_memory),
                     SteadyPace(options.steady_pace_memory), options.velocity_gain),
       motion_filter_(options.motion_filter),
@@ -190,7 +190,7 @@ ScanMatch LocalSlam::MatchInDoubt(const ScanToMatch& scan, const LocalSlamResult
 }
 
 LocalSlam::Prediction LocalSlam::Predict(int scan, const PoseExtrapolator& extrapolator) const {
-  const std::optional<Pose2> odom_from_base = UsedOdometry(log_, scan, options_);
+  const std::optional<Pose2>& odom_from_base = odometry_[scan];
   return {extrapolator.Predict(log_.scans[scan].time, odom_from_base), odom_from_base,
           extrapolator.MotionIsMeasured(odom_from_base)};
 }
@@ -213,7 +213,7 @@ double LocalSlam::ScoreOfScansAhead(int scan, const Pose2& submap_from_base,
                             const std::optional<Pose2>& odom_from_base) {
     extrapolator.AddPose(log_.scans[at].time, local_from_base, odom_from_base, MotionKnowledge());
   };
-  add_pose(scan, submap.local_from_submap * submap_from_base, UsedOdometry(log_, scan, options_));
+  add_pose(scan, submap.local_from_submap * submap_from_base, odometry_[scan]);
   const int end = std::min(scan + 1 + num_scans, static_cast<int>(log_.scans.size()));
   double sum = 0.0;
   for (int ahead = scan + 1; ahead < end; ++ahead) {

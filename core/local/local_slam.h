@@ -9,6 +9,7 @@
 #include "core/local/match_start.h"
 #include "core/local/pose_extrapolator.h"
 #include "core/local/scan_matching.h"
+#include "core/local/used_odometry.h"
 #include "core/sensor/scan_log.h"
 
 namespace loopscope {
@@ -94,6 +95,7 @@ class LocalSlam {
 
   const ScanLog& log_;
   LocalSlamOptions options_;
+  OdometryOfScans odometry_;  ///< UsedOdometry
   PoseExtrapolator extrapolator_;
   MotionFilter motion_filter_;
   ActiveSubmaps active_submaps_;

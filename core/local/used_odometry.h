@@ -6,18 +6,19 @@
 
 #include "core/local/local_slam_options.h"
 #include "core/sensor/scan_log.h"
+#include "core/sensor/slow_odometry.h"
 
 namespace loopscope {
 
 /// Whether odometry measured no motion at all since the scan before, though more than
 /// `max_changed_share` of what the scanner sees changed.
-bool OdometryHangs(const ScanLog& log, int scan, double max_changed_share);
+bool OdometryHangs(const ScanLog& log, const OdometryOfScans& odometry, int scan,
+                   double max_changed_share);
 
 /// Whether odometry measured a motion since the scan before that IsLeap.
-bool OdometryLeaps(const ScanLog& log, int scan);
+bool OdometryLeaps(const OdometryOfScans& odometry, int scan);
 
-/// odom_from_base at scan `scan`, if odometry is used, there is any, and it neither hangs nor
-/// leaps.
-std::optional<Pose2> UsedOdometry(const ScanLog& log, int scan, const LocalSlamOptions& options);
+/// ReadOdometryOfScans where odometry is used and neither hangs nor leaps; nothing elsewhere.
+OdometryOfScans UsedOdometry(const ScanLog& log, const LocalSlamOptions& options);
 
 }  // namespace loopscope

@@ -9,10 +9,9 @@
 namespace loopscope {
 namespace {
 
-MeasuredNode Measured(const Recording& recording, int index) {
+MeasuredNode Measured(const Recording& recording, const OdometryOfScans& odometry, int index) {
   const Node& node = recording.nodes()[index];
-  return {NodeId{index}, node.local_from_base,
-          UsedOdometry(recording.log(), node.step, recording.options().trajectory_builder_2d)};
+  return {NodeId{index}, node.local_from_base, odometry[node.step]};
 }
 
 }  // namespace
@@ -20,9 +19,11 @@ MeasuredNode Measured(const Recording& recording, int index) {
 GraphProblem GraphOf(const Recording& recording, const MapState& state) {
   GraphProblem problem{
       state.global_from_submap, state.global_from_node, ConstraintsOf(recording, state), {}};
+  const OdometryOfScans odometry =
+      UsedOdometry(recording.log(), recording.options().trajectory_builder_2d);
   for (int i = 1; i < state.num_nodes; ++i) {
     for (const ConsecutiveNodes& term :
-         RelateConsecutive(Measured(recording, i - 1), Measured(recording, i),
+         RelateConsecutive(Measured(recording, odometry, i - 1), Measured(recording, odometry, i),
                            recording.options().pose_graph.optimization_problem)) {
       problem.consecutive_nodes.push_back(term);
     }

@@ -35,6 +35,9 @@ Eigen::Vector3d LoopResidual(const MapState& state, const LoopCandidate& accepte
 /// "closed", "inconsistent", "ambiguous", "from behind", "below score", "not sampled", "too far".
 std::string ToString(Verdict verdict);
 
+/// Why a candidate got its verdict, in a few words without numbers.
+std::string ReasonOf(Verdict verdict);
+
 /// How many of `candidates` have each of kRecordedVerdicts, such as "12 closed".
 std::vector<std::string> VerdictSummary(const std::vector<LoopCandidate>& candidates);
 

@@ -119,7 +119,7 @@ void DrawPanel(const MatchReplay& match, const std::vector<ScanPlace>& places,
 MatchReplay MatchOfStep(const Recording& recording, int step) {
   std::optional<MatchReplay> match = ReplayMatch(recording, step);
   if (match) return *match;
-  throw std::invalid_argument(
+  throw NothingToShow(
       fmt::format("the scan of step {} was not matched: expected one after the first insertion "
                   "with returns in range",
                   step));

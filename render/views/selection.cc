@@ -71,7 +71,8 @@ NodeId NodeOf(const Recording& recording, const ViewRequest& request) {
   const auto end =
       std::find_if(nodes.begin(), nodes.end(), [&](const Node& node) { return node.step > step; });
   if (end == nodes.begin()) {
-    Refuse(fmt::format("no node until step {}: expected a step after the first insertion", step));
+    throw NothingToShow(
+        fmt::format("no node until step {}: expected a step after the first insertion", step));
   }
   return NodeId{static_cast<int>(end - nodes.begin()) - 1};
 }
@@ -83,8 +84,9 @@ SubmapId SubmapOf(const Recording& recording, const ViewRequest& request) {
     RequireSubmap(recording, *request.submap);
     const int begun = recording.node(recording.submap(*request.submap).first_node).step;
     if (begun > step) {
-      Refuse(fmt::format("submap {} was begun at step {}: expected that step or a later one",
-                         request.submap->index, begun));
+      throw NothingToShow(
+          fmt::format("submap {} was begun at step {}: expected that step or a later one",
+                      request.submap->index, begun));
     }
     return *request.submap;
   }
@@ -95,7 +97,9 @@ SubmapId SubmapOf(const Recording& recording, const ViewRequest& request) {
     if (recording.node(submap.first_node).step <= step) last_begun = id;
     if (submap.finished_step >= 0 && submap.finished_step <= step) last_finished = id;
   }
-  if (!last_begun) Refuse(fmt::format("no submap until step {}: expected a later step", step));
+  if (!last_begun) {
+    throw NothingToShow(fmt::format("no submap until step {}: expected a later step", step));
+  }
   return last_finished.value_or(*last_begun);
 }
 
@@ -126,7 +130,7 @@ std::pair<SubmapId, NodeId> SearchedPairOf(const Recording& recording, const Vie
     const std::string of = request.node     ? fmt::format(" of node {}", request.node->index)
                            : request.submap ? fmt::format(" in submap {}", request.submap->index)
                                             : "";
-    Refuse(
+    throw NothingToShow(
         fmt::format("no loop search{} until step {}: expected both a node and a submap", of, step));
   }
   return {best->submap, best->node};

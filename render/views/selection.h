@@ -12,7 +12,7 @@
 namespace loopscope {
 
 // What a request means in a recording. All throw std::invalid_argument, saying what was expected,
-// if the recording does not have it.
+// if the recording does not have it; NothingToShow if it does at a later step.
 
 void RequireNode(const Recording& recording, NodeId node);
 void RequireSubmap(const Recording& recording, SubmapId submap);

@@ -152,7 +152,16 @@ TEST_F(CommandTest, LoopsRefusesNodesAndSubmapsThatAreNotThere) {
 
 TEST_F(CommandTest, LoopsLeavesEmptyInCsvWhatAPairHasNotThatWasNotSearched) {
   const std::string csv = Run("loops run.loopscope --csv --verdict 'not sampled'").out;
-  EXPECT_THAT(csv, HasSubstr(",not sampled,,,,,,,,,,\n"));
+  EXPECT_THAT(csv, HasSubstr(",not sampled,,,,,,,,,,,,,skipped by sampling_ratio\n"));
+}
+
+TEST_F(CommandTest, LoopsTellWhetherAClosedLoopHeld) {
+  const auto json = nlohmann::json::parse(Run("loops run.loopscope --json --verdict closed").out);
+  ASSERT_FALSE(json.empty());
+  for (const auto& loop : json) {
+    EXPECT_EQ(loop.at("held"), loop.at("residual_m") < 0.3) << loop;
+    EXPECT_EQ(loop.at("reason"), "passed every gate");
+  }
 }
 
 TEST_F(CommandTest, LoopsTellHowFarASearchMovedTheNode) {

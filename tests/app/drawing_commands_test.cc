@@ -107,6 +107,15 @@ TEST_F(CommandTest, FilmDrawsARangeOfStepsAsRenderDoes) {
   EXPECT_FALSE(Exists("frames/frame_000003.png"));
 }
 
+TEST_F(CommandTest, FilmLeavesOutStepsWithNothingToShow) {
+  const std::string film = "film run.loopscope --view match --size 400x300 -o frames --steps ";
+  const ProgramRun run = Run(film + "0:2");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out, "frames: 2 frames, 0.1 s; left out 1 steps with nothing to show\n");
+  EXPECT_TRUE(Exists("frames/frame_000001.png"));
+  ExpectRefused(film + "0:0", "the scan of step 0 was not matched");
+}
+
 TEST_F(CommandTest, FilmRefusesWhatItCannotShoot) {
   const std::string film = "film run.loopscope --size 320x240 ";
   ExpectRefused(film + "--steps 0:100 -o a.mp4", "steps 0:100: expected FIRST:LAST");

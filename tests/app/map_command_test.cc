@@ -15,6 +15,7 @@
 #include "tests/support/local_run.h"
 #include "tests/support/office_excerpt.h"
 #include "tests/support/program.h"
+#include "tests/support/small_recording.h"
 
 namespace loopscope {
 namespace {
@@ -38,16 +39,16 @@ TEST(MapCommand, WritesARecordingAndASummary) {
   EXPECT_TRUE(ReadWallSeconds(folder.Path("run.loopscope")));
 }
 
-TEST(MapCommand, EndsWhereOdometryJumpsFartherThanAGridCan) {
+TEST(MapCommand, EndsWhereOdometryJumpsOnUntilItIsFartherThanAGridCan) {
   const TemporaryFolder folder;
   folder.Write("a.log", OfficeExcerpt(40));
   ScanLog log = ReadCarmenLog(folder.Path("a.log"));
-  JumpOdometry(20, Pose2(700.0, 700.0, 0.0), &log);
+  for (int scan = 20; scan < 40; ++scan) JumpOdometry(scan, Pose2(60.0, 60.0, 0.0), &log);
   WriteCarmenLog(folder.Path("jump.log"), log);
   const ProgramRun run = RunLoopscope(folder, "map jump.log -o a.loopscope --preset cartographer");
   EXPECT_EQ(run.exit_code, 2);
-  EXPECT_THAT(run.err, HasSubstr("loopscope: jump.log: scan 20: a grid of "));
-  EXPECT_EQ(ReadRecording(folder.Path("a.loopscope")).num_steps(), 20);
+  EXPECT_THAT(run.err, HasSubstr("loopscope: jump.log: scan 32: a grid of "));
+  EXPECT_EQ(ReadRecording(folder.Path("a.loopscope")).num_steps(), 32);
 }
 
 TEST(MapCommand, NamesTheRecordingAfterTheLog) {
@@ -187,16 +188,19 @@ class RunningMap {
   /// The status that wait gives.
   int EndWith(int signal) {
     kill(process_, signal);
-    while (fgetc(stderr_) != EOF) {
-    }
+    for (int c = fgetc(stderr_); c != EOF; c = fgetc(stderr_)) rest_ += static_cast<char>(c);
     int status = 0;
     waitpid(process_, &status, 0);
     return status;
   }
 
+  /// What it said after 10 %.
+  const std::string& rest() const { return rest_; }
+
  private:
   pid_t process_;
   FILE* stderr_;
+  std::string rest_;
 };
 
 TEST(MapCommand, LeavesARecordingThatOpensWhenInterrupted) {
@@ -208,6 +212,18 @@ TEST(MapCommand, LeavesARecordingThatOpensWhenInterrupted) {
   EXPECT_GE(num_steps, 109);
   EXPECT_LT(num_steps, 1098);
   EXPECT_FALSE(ReadWallSeconds(folder.Path("run.loopscope")));
+}
+
+TEST(MapCommand, TellsWhereItKeepsAFinishedRecordingWhenInterrupted) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Path("run.loopscope");
+  const SmallRun run(3);
+  RecordingWriter(path, run.log(), CartographerPreset()).Finish(1.0);
+  RunningMap map(path);
+  map.EndWith(SIGINT);
+  EXPECT_THAT(map.rest(),
+              HasSubstr("the finished run that was there is now " + path + ".before\n"));
+  EXPECT_EQ(ReadWallSeconds(path + ".before"), 1.0);
 }
 
 TEST(MapCommand, LeavesARecordingThatOpensWhenKilled) {

@@ -46,7 +46,7 @@ SlamUpdate GetUpdate(ByteReader* in) {
     update.optimization->global_from_submap = GetPoses({}, in);
     update.optimization->global_from_node = GetPoses({}, in);
   }
-  update.candidates = GetCandidates(kNumSteps, in);
+  update.candidates = GetCandidates(kNumSteps, 1000, in);
   return update;
 }
 

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <random>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/io/file_error.h"
+#include "tests/support/temporary_folder.h"
 
 namespace loopscope {
 namespace {
@@ -74,9 +76,9 @@ std::string Pack(const std::vector<LoopCandidate>& candidates) {
   return writer.bytes();
 }
 
-std::vector<LoopCandidate> Unpack(const std::string& bytes) {
+std::vector<LoopCandidate> Unpack(const std::string& bytes, std::size_t max_count = 100'000) {
   ByteReader reader(bytes, "a.file", "candidates");
-  std::vector<LoopCandidate> candidates = GetCandidates(kStep, &reader);
+  std::vector<LoopCandidate> candidates = GetCandidates(kStep, max_count, &reader);
   reader.ExpectEnd();
   return candidates;
 }
@@ -100,6 +102,14 @@ TEST(CandidateCodec, APairThatWasNotSearchedTakesFourBytes) {
   std::vector<LoopCandidate> candidates;
   for (int i = 0; i < 1000; ++i) candidates.push_back(Unsearched(3, i));
   EXPECT_LT(Pack(candidates).size(), 4050u);
+}
+
+TEST(CandidateCodec, MoreCandidatesThanAllowedAreRefusedUnread) {
+  ByteWriter writer;
+  writer.PutUnsigned(1001);
+  const std::string bytes = writer.bytes() + std::string(4004, '\0');
+  EXPECT_THAT(MessageOf([&] { Unpack(bytes, 1000); }),
+              testing::HasSubstr("more loop candidates than the nodes and submaps allow"));
 }
 
 TEST(CandidateCodec, DamagedBytesThrowOrGiveCandidates) {

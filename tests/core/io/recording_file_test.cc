@@ -146,6 +146,23 @@ TEST(RecordingFile, ReplacesARecording) {
   EXPECT_THAT(FilesIn(folder.Path("")), testing::ElementsAre("a.loopscope"));
 }
 
+TEST(RecordingFile, KeepsAFinishedRecordingUntilTheOneInItsPlaceIsFinished) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Path("a.loopscope");
+  const std::string kept = folder.Path("a.loopscope.before");
+  const SmallRun run(3);
+  RecordingWriter(path, run.log(), CartographerPreset()).Finish(1.0);
+  const std::string finished = ContentOf(path);
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    Write(path, run);
+    EXPECT_EQ(ContentOf(kept), finished);
+    EXPECT_EQ(ReadRecording(path).num_steps(), 3);
+  }
+  RecordingWriter(path, run.log(), CartographerPreset()).Finish(2.0);
+  EXPECT_FALSE(std::filesystem::exists(kept));
+  EXPECT_EQ(ReadWallSeconds(path), 2.0);
+}
+
 TEST(RecordingFile, DoesNotTakeOverTheJournalOfTheRecordingItReplaces) {
   const TemporaryFolder folder;
   const std::string path = folder.Path("a.loopscope");
@@ -256,6 +273,7 @@ TEST(RecordingFile, ThrowsIfItIsInconsistent) {
       {"DELETE FROM submap WHERE id = 1", "submaps are missing"},
       {"UPDATE loop_candidates SET step = 4 WHERE step = 9", "damaged data"},
       {"UPDATE loop_candidates SET data = zeroblob(100)", "loop candidates of step"},
+      {"DELETE FROM node; DELETE FROM submap", "more loop candidates"},
       {"DELETE FROM optimization WHERE id = 1", "optimizations are missing"},
       {"UPDATE optimization SET data = x'00'", "optimization of step"},
       {"DELETE FROM log", "the log is missing"},
