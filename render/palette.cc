@@ -71,6 +71,7 @@ Palette DefaultPalette() {
   p.intra_residual = Rgb(0xff2a2a);
   p.covariance = Rgb(0x8ef0a8);
   p.refused = Rgb(0xff5ac8);
+  p.outlier = Rgb(0xff2fb9);
   p.selection = Rgb(0xff8a00);
   p.selection_edge = Rgb(0x15181c);
   return p;
@@ -106,6 +107,7 @@ Palette ColorBlindPalette() {
   p.inter_residual = kSkyBlue;
   p.intra_residual = kPurple;
   p.covariance = Rgb(0xf0e442);
+  p.outlier = kVermilion;
   p.selection = Rgb(0xf0e442);
   return p;
 }

@@ -100,6 +100,7 @@ struct Palette {
   Color intra_residual;
   Color covariance;
   Color refused;         ///< a loop that was found and not believed
+  Color outlier;         ///< a loop that was closed and is left out by the optimization
   ColorMap error;        ///< from right to wrong, seen on light maps
   Color selection;       ///< what the user looks at, seen on light and dark maps
   Color selection_edge;  ///< around its lines

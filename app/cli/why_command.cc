@@ -35,6 +35,9 @@ int RunWhy(const WhyArguments& arguments) {
   fmt::print("node {}, submap {}\n", ToString(node), ToString(submap));
   std::for_each(explanation.checks.begin(), explanation.checks.end(), PrintCheck);
   fmt::print("{}\n", explanation.answer);
+  if (explanation.best_in_window) {
+    fmt::print("{}\n", ExplainWholeSubmap(recording, *explanation.best_in_window));
+  }
   return explanation.closed ? 0 : 1;
 }
 

@@ -60,12 +60,22 @@ LocalSlamResult LocalSlam::AddScan(int scan) {
   result.local_from_base = result.local_from_base_prior;
   if (result.has_returns) Match(scan, &result);
   RequireInMap(result.local_from_base);
+  const bool is_inserted =
+      result.has_returns && !motion_filter_.IsSimilar(time, result.local_from_base);
+  result.motion_knowledge.odometry_goes_on = !is_inserted && AgreesWithOdometry(result);
   extrapolator_.AddPose(time, result.local_from_base, result.odom_from_base,
                         result.motion_knowledge);
-  if (result.has_returns && !motion_filter_.IsSimilar(time, result.local_from_base)) {
+  if (is_inserted) {
     result.insertion = active_submaps_.Insert(result.local_from_base, result.range_data);
   }
   return result;
+}
+
+bool LocalSlam::AgreesWithOdometry(const LocalSlamResult& result) const {
+  const Pose2 correction = result.local_from_base_prior.Inverse() * result.local_from_base;
+  return result.match_start == MatchStart::kPrior &&
+         extrapolator_.MotionIsMeasured(result.odom_from_base) &&
+         SizeOf(correction) < options_.max_correction_between_nodes;
 }
 
 void LocalSlam::Match(int scan, LocalSlamResult* result) {

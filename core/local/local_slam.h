@@ -52,6 +52,8 @@ class LocalSlam {
   };
 
   void Match(int scan, LocalSlamResult* result);
+  /// Whether the match hardly corrects where odometry has the scan, by max_correction_between_nodes.
+  bool AgreesWithOdometry(const LocalSlamResult& result) const;
   void LearnExpectedScore(double score);
   /// Where the scan is: where it matched, or by those ahead if it matches nowhere.
   void SetPose(int scan, const ScanMatch& match, const MatchedSubmap& submap,

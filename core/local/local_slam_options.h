@@ -87,6 +87,11 @@ struct LocalSlamOptions {
   /// predicts by a weight that is larger in inverse proportion, up to 2.5 times; 0: by the same.
   /// Not in Cartographer.
   double full_prior_motion = 0.0;
+  /// [m] Odometry predicts a scan from the last one that was inserted, not from the scan before it,
+  /// until a match corrects it by more (see SizeOf); 0: from the scan before. Each match pulls a
+  /// scan to the cells that were hit before, and along a corridor that would add up the more, the
+  /// more often scans come. Not in Cartographer.
+  double max_correction_between_nodes = 0.0;
 };
 
 }  // namespace loopscope

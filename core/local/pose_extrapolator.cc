@@ -15,8 +15,8 @@ constexpr double kMaxStretch = 3.0;
 Pose2 PoseExtrapolator::Predict(double time, const std::optional<Pose2>& odom_from_base) const {
   if (!last_) return Pose2();
   if (MotionIsMeasured(odom_from_base)) {
-    return last_->local_from_base *
-           calibration_.Corrected(last_->odom_from_base->Inverse() * *odom_from_base);
+    return start_of_odometry_->local_from_base *
+           calibration_.Corrected(start_of_odometry_->odom_from_base->Inverse() * *odom_from_base);
   }
   return PredictByVelocity(time);
 }
@@ -47,6 +47,7 @@ double PoseExtrapolator::StretchUntil(double time) const {
 void PoseExtrapolator::AddPose(double time, const Pose2& local_from_base,
                                const std::optional<Pose2>& odom_from_base,
                                const MotionKnowledge& knowledge) {
+  const bool goes_on = knowledge.odometry_goes_on && MotionIsMeasured(odom_from_base);
   if (last_) {
     const Pose2 motion = last_->local_from_base.Inverse() * local_from_base;
     if (MotionIsMeasured(odom_from_base)) {
@@ -61,6 +62,7 @@ void PoseExtrapolator::AddPose(double time, const Pose2& local_from_base,
   }
   before_last_ = last_;
   last_ = Known{time, local_from_base, odom_from_base};
+  if (!goes_on) start_of_odometry_ = last_;
 }
 
 }  // namespace loopscope

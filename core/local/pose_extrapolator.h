@@ -18,6 +18,9 @@ struct MotionKnowledge {
   bool is_known = false;
   /// It does both, and so tells how far odometry moves, see OdometryCalibration.
   bool way_is_held = false;
+  /// The scan was not inserted, and its match hardly corrected odometry, which goes on from where
+  /// it began and not from here.
+  bool odometry_goes_on = false;
 };
 
 /// Predicts where the robot is when a scan comes, from where the scans before were matched.
@@ -29,8 +32,8 @@ class PoseExtrapolator {
                    double velocity_gain)
       : calibration_(calibration), pace_(pace), velocity_gain_(velocity_gain) {}
 
-  /// The pose at `time` [s]: the motion that odometry measured since the last pose, if it was known
-  /// there and is now; else as PredictByVelocity has it. The identity before any pose is known.
+  /// The pose at `time` [s]: the motion that odometry measured since the last pose from which it
+  /// did not just go on, if it was known at the last pose and is now; else as PredictByVelocity has it. The identity before any pose is known.
   Pose2 Predict(double time, const std::optional<Pose2>& odom_from_base) const;
 
   /// Whatever odometry says: the robot goes on at its velocity, and turns as it did between the
@@ -75,6 +78,7 @@ class PoseExtrapolator {
   Pose2 LastMotion() const;
 
   std::optional<Known> last_;
+  std::optional<Known> start_of_odometry_;  ///< from where it predicts
   std::optional<Known> before_last_;
   OdometryCalibration calibration_;
   UsualMotion usual_motion_;

@@ -99,7 +99,8 @@ std::optional<SearchReplay> ReplaySearch(const Recording& recording, SubmapId su
                                          std::optional<double> min_score = std::nullopt);
 
 /// What ReplaySearch has for its result.
-std::optional<LoopCandidate> SearchPair(const Recording& recording, SubmapId submap, NodeId node);
+std::optional<LoopCandidate> SearchPair(const Recording& recording, SubmapId submap, NodeId node,
+                                        std::optional<double> min_score = std::nullopt);
 
 /// What a search of `node` everywhere in the finished `submap`, at every angle, finds, for
 /// `min_score` or else global_localization_min_score. The mapper makes none; it tells what a window

@@ -185,8 +185,9 @@ std::optional<SearchReplay> ReplaySearch(const Recording& recording, SubmapId su
   return Replay(recording, submap, node, min_score, true);
 }
 
-std::optional<LoopCandidate> SearchPair(const Recording& recording, SubmapId submap, NodeId node) {
-  const std::optional<SearchReplay> replay = Replay(recording, submap, node, std::nullopt, false);
+std::optional<LoopCandidate> SearchPair(const Recording& recording, SubmapId submap, NodeId node,
+                                        std::optional<double> min_score) {
+  const std::optional<SearchReplay> replay = Replay(recording, submap, node, min_score, false);
   return replay ? std::optional(replay->result) : std::nullopt;
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <utility>
 
@@ -17,25 +16,46 @@
 namespace loopscope {
 namespace {
 
+/// Every place that can be scored scores more.
+constexpr double kAnyScore = kMinProbability;
+
+/// The pair must be one that can be searched.
+LoopCandidate BestInWindow(const Recording& recording, SubmapId submap, NodeId node) {
+  return SearchPair(recording, submap, node, kAnyScore).value();
+}
+
+/// "the best place scores 0.512, 0.34 m and 1.2 deg from the estimate".
+std::string PlaceText(const LoopCandidate& best) {
+  if (!IsFound(best.verdict)) return "no place touches what the submap knows";
+  const Pose2 moved = best.submap_from_node_guess.Inverse() * best.submap_from_node_searched;
+  return fmt::format("the best place scores {:.3f}, {:.2f} m and {:.1f} deg from the estimate",
+                     best.score, moved.translation.norm(),
+                     RadiansToDegrees(std::abs(NormalizeAngle(moved.rotation))));
+}
+
 /// Collects checks until one fails.
 class Checklist {
  public:
   /// Whether to go on.
   bool Add(LoopCheck check, const std::string& answer_if_failed) {
-    return Add(std::move(check), [&] { return answer_if_failed; });
-  }
-  /// Likewise, with an answer that takes a search.
-  bool Add(LoopCheck check, const std::function<std::string()>& answer_if_failed) {
     explanation_.checks.push_back(std::move(check));
-    if (explanation_.checks.back().passed) return true;
-    explanation_.answer = answer_if_failed();
-    return false;
+    if (!explanation_.checks.back().passed) explanation_.answer = answer_if_failed;
+    return explanation_.checks.back().passed;
   }
 
   /// Likewise, of what hardly any pair fails, so that it is listed only then.
-  template <typename Answer>
-  bool AddIfFailed(LoopCheck check, const Answer& answer_if_failed) {
+  bool AddIfFailed(LoopCheck check, const std::string& answer_if_failed) {
     return check.passed || Add(std::move(check), answer_if_failed);
+  }
+
+  /// The answer goes on with what is there in the window.
+  LoopExplanation NothingFound(const LoopCandidate& best_in_window, double min_score) {
+    explanation_.best_in_window = best_in_window;
+    explanation_.answer += fmt::format(
+        " Within {:.2f} m and {:.1f} deg {}; more than {:.3f} is needed.",
+        best_in_window.linear_search_window, RadiansToDegrees(best_in_window.angular_search_window),
+        PlaceText(best_in_window), min_score);
+    return explanation_;
   }
 
   LoopExplanation Closed(const std::string& answer) {
@@ -124,12 +144,12 @@ std::optional<LoopCheck> WindowCheck(const Recording& recording, const LoopCandi
       "", true};
 }
 
-LoopCheck ScoreCheck(const LoopCandidate& candidate) {
+/// `score` is the best in the window.
+LoopCheck ScoreCheck(const LoopCandidate& candidate, double score) {
   return {"score",
-          fmt::format("{:.3f} in a window of {:.2f} m, {:.1f} deg (no pose there scores more than "
-                      "{:.3f})",
-                      candidate.score, candidate.linear_search_window,
-                      RadiansToDegrees(candidate.angular_search_window), candidate.score_bound),
+          fmt::format("{:.3f} in a window of {:.2f} m, {:.1f} deg", score,
+                      candidate.linear_search_window,
+                      RadiansToDegrees(candidate.angular_search_window)),
           fmt::format("more than {:.3f}", candidate.min_score),
           candidate.verdict != Verdict::kBelowMinScore};
 }
@@ -179,16 +199,6 @@ LoopCheck ResidualCheck(const Recording& recording, const LoopCandidate& candida
           "", true};
 }
 
-/// What a search that was not made would have found. The pair must be one that can be searched.
-std::string WouldHaveMatched(const Recording& recording, SubmapId submap, NodeId node) {
-  const LoopCandidate result = SearchPair(recording, submap, node).value();
-  return fmt::format(
-      "Searched now, in {:.1f} m and {:.1f} deg around the estimate of then, it "
-      "scores {:.3f}; {:.3f} is needed.",
-      result.linear_search_window, RadiansToDegrees(result.angular_search_window), result.score,
-      result.min_score);
-}
-
 }  // namespace
 
 LoopExplanation ExplainLoop(const Recording& recording, SubmapId submap, NodeId node) {
@@ -206,24 +216,26 @@ LoopExplanation ExplainLoop(const Recording& recording, SubmapId submap, NodeId 
                         "Not closed: the scan has nothing to match.")) {
     return list.explanation();
   }
-  const auto not_searched = [&](const std::string& reason) {
-    return [&recording, submap, node, reason] {
-      return "Not closed: " + reason + " " + WouldHaveMatched(recording, submap, node);
-    };
-  };
   const LoopGate gate = GateOfPair(recording, submap, node);
   const std::optional<int> index = recording.FindCandidate(submap, node);
   const LoopCandidate* const candidate = index ? &recording.candidates()[*index] : nullptr;
-  if (!list.Add(DistanceCheck(gate, options), not_searched("too far apart to be searched.")) ||
+  if (!list.Add(DistanceCheck(gate, options), "Not closed: too far apart to be searched.") ||
       !list.AddIfFailed(TurnCheck(recording, candidate),
-                        not_searched("the recording ends before its loops were searched.")) ||
+                        "Not closed: the recording ends before its loops were searched.") ||
       !list.Add(SampledCheck(*candidate, options),
-                not_searched("the pair was near enough, but skipped by sampling_ratio."))) {
-    return list.explanation();
+                "Not closed: the pair was near enough, but skipped by sampling_ratio.")) {
+    return list.NothingFound(BestInWindow(recording, submap, node),
+                             ConsiderPair(recording, submap, node).min_score);
   }
   if (const auto window = WindowCheck(recording, *candidate, gate)) list.Add(*window, "");
-  if (!list.Add(ScoreCheck(*candidate), "Not closed: nothing in the window matches well enough.") ||
-      !list.Add(AmbiguityCheck(*candidate, options.ambiguity),
+  if (candidate->verdict == Verdict::kBelowMinScore) {
+    const LoopCandidate best = BestInWindow(recording, submap, node);
+    list.Add(ScoreCheck(*candidate, best.score),
+             "Not closed: nothing in the window matches well enough.");
+    return list.NothingFound(best, candidate->min_score);
+  }
+  list.Add(ScoreCheck(*candidate, candidate->score), "");
+  if (!list.Add(AmbiguityCheck(*candidate, options.ambiguity),
                 "Not closed: the scan fits at other places nearly as well.") ||
       !list.Add(BorderCheck(recording, *candidate),
                 "Not closed: a place beyond the window may match better.") ||
@@ -235,6 +247,13 @@ LoopExplanation ExplainLoop(const Recording& recording, SubmapId submap, NodeId 
   }
   list.Add(ResidualCheck(recording, *candidate), "");
   return list.Closed(fmt::format("Closed: in the graph since scan {}.", candidate->applied_step));
+}
+
+std::string ExplainWholeSubmap(const Recording& recording, const LoopCandidate& best_in_window) {
+  const LoopCandidate best =
+      SearchWholeSubmap(recording, best_in_window.submap, best_in_window.node, kAnyScore).value();
+  if (best.score <= best_in_window.score) return "Nowhere in the submap it scores more.";
+  return fmt::format("Anywhere in the submap {}.", PlaceText(best));
 }
 
 Eigen::Vector3d LoopResidual(const MapState& state, const LoopCandidate& accepted) {

@@ -23,11 +23,17 @@ struct LoopExplanation {
   bool closed = false;
   std::string answer;             ///< one sentence
   std::vector<LoopCheck> checks;  ///< in the order in which they are made; none behind a failed one
+  /// If the pair was not searched, or the search found nothing: the best place in its window, found
+  /// now, however little it scores. The mapper's search ends as soon as nothing can win.
+  std::optional<LoopCandidate> best_in_window;
 };
 
-/// Explains the pair as it stood at the end of the recording. A pair that was not searched is
-/// searched now, to tell how well it would have matched. `submap` and `node` must exist.
+/// Explains the pair as it stood at the end of the recording. `submap` and `node` must exist.
 LoopExplanation ExplainLoop(const Recording& recording, SubmapId submap, NodeId node);
+
+/// The best place in the whole submap of a pair that has a `best_in_window`: one sentence. It tells
+/// whether the window was too small, and takes up to a second.
+std::string ExplainWholeSubmap(const Recording& recording, const LoopCandidate& best_in_window);
 
 /// The error of an accepted loop (eq. 5) in the poses of `state`: [m, m, rad].
 Eigen::Vector3d LoopResidual(const MapState& state, const LoopCandidate& accepted);

@@ -142,6 +142,9 @@ Rows LocalSlamRows(LocalSlamOptions* o) {
   rows.push_back({"full_prior_motion", &o->full_prior_motion, 0, 1000, "m",
                   "A scan before which odometry measured less is held where that predicts it by a "
                   "larger weight, in inverse proportion, up to 2.5 times; 0: by the same."});
+  rows.push_back({"max_correction_between_nodes", &o->max_correction_between_nodes, 0, 1000, "m",
+                  "Odometry predicts a scan from the last one that was inserted, until a match "
+                  "corrects it by more; 0: from the scan before."});
   rows.push_back(
       {"velocity_gain", &o->velocity_gain, 0.01, 1, "",
        "Without odometry, share of the last motion in the velocity that predicts the next "

@@ -14,6 +14,7 @@ Options LoopscopePreset() {
   local.steady_pace_memory = 50;
   local.unmeasured_prior_scale = 2.5;
   local.full_prior_motion = 0.2;
+  local.max_correction_between_nodes = 0.03;
   local.use_online_correlative_scan_matching = true;
   local.real_time_correlative_scan_matcher.angular_search_window = DegreesToRadians(20.0);
   // In a corridor the scan fits everywhere: stay where odometry says.

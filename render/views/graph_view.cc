@@ -1,9 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "core/graph/outliers.h"
+#include "core/graph/spa_cost.h"
 #include "core/slam/derive.h"
 #include "render/layers/constraints.h"
 #include "render/number_text.h"
@@ -22,8 +26,9 @@ namespace {
 struct Graph {
   MapState state;
   std::vector<PlacedConstraint> intra;
-  std::vector<PlacedConstraint> inter;
-  std::vector<PlacedConstraint> refused;  ///< loops that were found, but not believed
+  std::vector<PlacedConstraint> inter;     ///< in force
+  std::vector<PlacedConstraint> outliers;  ///< loops that the optimization leaves out
+  std::vector<PlacedConstraint> refused;   ///< loops that were found, but not believed
 };
 
 std::vector<Constraint> RefusedLoops(const Recording& recording, const MapState& state) {
@@ -37,11 +42,23 @@ std::vector<Constraint> RefusedLoops(const Recording& recording, const MapState&
   return refused;
 }
 
+bool IsOutlierIn(const MapState& state, const PlacedConstraint& placed,
+                 const OutlierOptions& options) {
+  const Constraint& loop = placed.constraint;
+  return IsOutlier(SpaError(loop.submap_from_node, state.global_from_submap[loop.submap.index],
+                            state.global_from_node[loop.node.index]),
+                   options);
+}
+
 Graph GraphAfterStep(const Recording& recording, int step) {
-  Graph graph{StateAfterStep(recording, step), {}, {}, {}};
+  Graph graph{StateAfterStep(recording, step), {}, {}, {}, {}};
   const std::vector<Constraint> constraints = ConstraintsOf(recording, graph.state);
   graph.intra = PlaceConstraints(constraints, Constraint::Tag::kIntraSubmap, graph.state);
-  graph.inter = PlaceConstraints(constraints, Constraint::Tag::kInterSubmap, graph.state);
+  const OutlierOptions& options = recording.options().pose_graph.optimization_problem.outliers;
+  for (const PlacedConstraint& loop :
+       PlaceConstraints(constraints, Constraint::Tag::kInterSubmap, graph.state)) {
+    (IsOutlierIn(graph.state, loop, options) ? graph.outliers : graph.inter).push_back(loop);
+  }
   graph.refused = PlaceConstraints(RefusedLoops(recording, graph.state),
                                    Constraint::Tag::kInterSubmap, graph.state);
   return graph;
@@ -53,6 +70,14 @@ double MeanResidual(const std::vector<PlacedConstraint>& constraints) {
   return sum / static_cast<double>(constraints.size());
 }
 
+/// The loop in force that the map contradicts most; null if there is none.
+const PlacedConstraint* Worst(const Graph& graph) {
+  if (graph.inter.empty()) return nullptr;
+  return &*std::max_element(
+      graph.inter.begin(), graph.inter.end(),
+      [](const auto& a, const auto& b) { return a.residual() < b.residual(); });
+}
+
 std::vector<Fact> FactsOf(const Graph& graph) {
   std::vector<Fact> facts{{"nodes", fmt::format("{}", graph.state.num_nodes)},
                           {"submaps", fmt::format("{}", graph.state.num_submaps)},
@@ -60,10 +85,10 @@ std::vector<Fact> FactsOf(const Graph& graph) {
                           {"INTER", fmt::format("{}", graph.inter.size())},
                           {"loops refused", fmt::format("{}", graph.refused.size())},
                           {"optimizations", fmt::format("{}", graph.state.num_optimizations)}};
-  if (!graph.inter.empty()) {
-    const auto worst =
-        std::max_element(graph.inter.begin(), graph.inter.end(),
-                         [](const auto& a, const auto& b) { return a.residual() < b.residual(); });
+  if (!graph.outliers.empty()) {
+    facts.push_back({"outliers", fmt::format("{}", graph.outliers.size())});
+  }
+  if (const PlacedConstraint* const worst = Worst(graph)) {
     facts.push_back({"mean residual", LengthText(MeanResidual(graph.inter))});
     facts.push_back({"worst residual", LengthText(worst->residual())});
     facts.push_back({"of node", ToString(worst->constraint.node)});
@@ -72,7 +97,8 @@ std::vector<Fact> FactsOf(const Graph& graph) {
   return facts;
 }
 
-LayerKeys KeysOf(const MapColors& colors, const Palette& palette, const Highlight& highlight) {
+LayerKeys KeysOf(const Graph& graph, const MapColors& colors, const Palette& palette,
+                 const Highlight& highlight) {
   const auto line = [&](LayerKind kind, const Color& color, const char* label) {
     return std::pair(kind, LegendEntry{{Swatch::Kind::kLine, color, colors.unknown}, label});
   };
@@ -87,6 +113,10 @@ LayerKeys KeysOf(const MapColors& colors, const Palette& palette, const Highligh
        {LayerKind::kFrames, {{Swatch::Kind::kFrame, {}, colors.unknown}, "frame of a submap"}},
        {LayerKind::kRobot, {{Swatch::Kind::kRobot, palette.robot, colors.unknown}, "robot"}}},
       {}};
+  if (!graph.outliers.empty()) {
+    keys.legend.insert(keys.legend.begin() + 1,
+                       line(LayerKind::kInter, palette.outlier, "INTER, left out as outlier"));
+  }
   if (!highlight.empty()) {
     keys.legend.emplace_back(LayerKind::kSelection, HighlightEntry(colors, palette));
   }
@@ -126,6 +156,32 @@ void DrawLinks(const Graph& graph, const Highlight& highlight, Sheet* sheet) {
     return InterConstraintsLayer(LinksOf(highlight, graph.inter), sheet->palette().inter,
                                  sheet->Px(widths::kLine));
   });
+}
+
+/// Colours and widths of lines that are seen on all others: dark ones, and in them those asked for.
+std::array<std::pair<Color, double>, 2> Edged(const Color& color, double width,
+                                              const Palette& palette) {
+  return {std::pair(palette.selection_edge, width + 2.0 * widths::kThin), std::pair(color, width)};
+}
+
+/// The worst loop wider than the others, with its residual written at its node, while nothing else
+/// is selected.
+Written DrawWorst(const Graph& graph, const PoseColors& colors, Sheet* sheet) {
+  const PlacedConstraint* const worst = Worst(graph);
+  if (worst == nullptr || !sheet->Shows(LayerKind::kInter)) return {};
+  const Palette& palette = sheet->palette();
+  for (const auto& [color, width] : Edged(palette.inter, widths::kBold, palette)) {
+    sheet->Add(0, LayerKind::kInter, [&, color = color, width = width] {
+      return InterConstraintsLayer({*worst}, color, sheet->Px(width));
+    });
+  }
+  const TextStyle style = TextStyleOf(sheet->size(), colors.label);
+  Written written;
+  WriteBeside(worst->expected_node, "worst loop: " + LengthText(worst->residual()), style, *sheet,
+              &written.labels);
+  sheet->Add(0, LayerKind::kInter,
+             [&] { return LabelsLayer(written.labels, style, colors.label_plate); });
+  return written;
 }
 
 /// Adds what `draw` makes of `constraints`, and if they are many of some of them for the moving
@@ -182,6 +238,12 @@ void DrawConstraints(const Graph& graph, double dimming, Sheet* sheet) {
   AddLines(LayerKind::kIntra, graph.intra, intra, sheet);
   AddLines(LayerKind::kRefused, graph.refused, refused, sheet);
   AddLines(LayerKind::kInter, graph.inter, inter, sheet);
+  for (const auto& [color, width] : Edged(palette.outlier, widths::kLine, palette)) {
+    const auto outliers = [&, color = color, width = width](const Lines& lines) {
+      return InterConstraintsLayer(lines, WithOpacity(color, dimming), sheet->Px(width));
+    };
+    AddLines(LayerKind::kInter, graph.outliers, outliers, sheet);
+  }
   const double pixel = sheet->camera(0).meters_per_pixel;
   AddLines(LayerKind::kResiduals, WithVisibleResidual(graph.intra, pixel), intra_residuals, sheet);
   AddLines(LayerKind::kResiduals, WithVisibleResidual(graph.inter, pixel), inter_residuals, sheet);
@@ -199,7 +261,7 @@ Scene BuildGraphView(DerivedCache* cache, const ViewRequest& request, int oversa
   const Highlight highlight = HighlightOf(recording, request, graph.state, grids);
 
   Sheet sheet(request, oversampling, Describe(recording, graph),
-              KeysOf(colors, palette, highlight));
+              KeysOf(graph, colors, palette, highlight));
   sheet.Open(0, ExtentOf(grids), colors.unknown);
   DrawMap(grids, colors, &cache->map_composer(), &sheet);
   const bool is_selected = !highlight.empty() && sheet.Shows(LayerKind::kSelection);
@@ -208,7 +270,9 @@ Scene BuildGraphView(DerivedCache* cache, const ViewRequest& request, int oversa
   DrawCovariances(recording, graph.state, &sheet);
   const PoseColors pose_colors{WithOpacity(palette.node, 0.6), palette.node, palette.dark_label,
                                WithOpacity(palette.dark_unknown, 0.6)};
-  DrawPoses(graph.state, pose_colors, DrawHighlight(highlight, pose_colors, &sheet), &sheet);
+  const Written written = is_selected ? DrawHighlight(highlight, pose_colors, &sheet)
+                                      : DrawWorst(graph, pose_colors, &sheet);
+  DrawPoses(graph.state, pose_colors, written, &sheet);
   return sheet.Finish();
 }
 

@@ -87,23 +87,6 @@ void DrawResidual(const PlacedConstraint& link, const Color& color, double width
              [&] { return ResidualsLayer({link}, color, sheet->Px(width)); });
 }
 
-/// Writes `text` beside `place`, in one of four ways: the first that leaves all of `labels` free.
-void WriteBeside(const Eigen::Vector2d& place, const std::string& text, const TextStyle& style,
-                 const Sheet& sheet, std::vector<Label>* labels) {
-  if (!sheet.Visible(0).contains(place)) return;
-  const FlatCamera& camera = sheet.camera(0);
-  const double gap = sheet.Meters(0, widths::kMark);
-  const double left = -gap - camera.meters_per_pixel * TextWidth(text, style);
-  const double below = -gap - 1.3 * camera.meters_per_pixel * style.size;
-  for (const auto& [x, y] :
-       {std::pair(gap, gap), std::pair(left, gap), std::pair(gap, below), std::pair(left, below)}) {
-    const Label label{place + Eigen::Vector2d(x, y), text};
-    labels->push_back(MovedInside(label, camera, sheet.frame(0), style));
-    if (WithoutOverlaps(*labels, camera, sheet.frame(0), style).size() == labels->size()) return;
-    labels->pop_back();
-  }
-}
-
 /// The ids of what is selected, and its link, where they can be read.
 std::vector<Label> LabelsOf(const Highlight& highlight, const TextStyle& style,
                             const Sheet& sheet) {
@@ -145,6 +128,22 @@ Highlight HighlightOf(const Recording& recording, const ViewRequest& request, co
     if (found != nullptr) highlight.marked.push_back(LinkOf(*found, state));
   }
   return highlight;
+}
+
+void WriteBeside(const Eigen::Vector2d& place, const std::string& text, const TextStyle& style,
+                 const Sheet& sheet, std::vector<Label>* labels) {
+  if (!sheet.Visible(0).contains(place)) return;
+  const FlatCamera& camera = sheet.camera(0);
+  const double gap = sheet.Meters(0, widths::kMark);
+  const double left = -gap - camera.meters_per_pixel * TextWidth(text, style);
+  const double below = -gap - 1.3 * camera.meters_per_pixel * style.size;
+  for (const auto& [x, y] :
+       {std::pair(gap, gap), std::pair(left, gap), std::pair(gap, below), std::pair(left, below)}) {
+    const Label label{place + Eigen::Vector2d(x, y), text};
+    labels->push_back(MovedInside(label, camera, sheet.frame(0), style));
+    if (WithoutOverlaps(*labels, camera, sheet.frame(0), style).size() == labels->size()) return;
+    labels->pop_back();
+  }
 }
 
 LegendEntry HighlightEntry(const MapColors& colors, const Palette& palette) {

@@ -38,6 +38,10 @@ LegendEntry HighlightEntry(const MapColors& colors, const Palette& palette);
 std::vector<PlacedConstraint> LinksOf(const Highlight& highlight,
                                       const std::vector<PlacedConstraint>& constraints);
 
+/// Writes `text` beside `place`, in one of four ways: the first that leaves all of `labels` free.
+void WriteBeside(const Eigen::Vector2d& place, const std::string& text, const TextStyle& style,
+                 const Sheet& sheet, std::vector<Label>* labels);
+
 /// Draws the node as a ring, the submap as the box around its known cells and a bold frame, and the
 /// link between them with its residual, in panel 0; over them their ids and what the link is, in
 /// the colours of labels. Returns what was written.

@@ -106,6 +106,7 @@ TEST_F(CommandTest, WhyAnswersWithItsExitCode) {
   const ProgramRun far_away = Run("why run.loopscope --node 53 --submap 0");
   EXPECT_EQ(far_away.exit_code, 1);
   EXPECT_THAT(far_away.out, HasSubstr("Not closed: too far apart"));
+  EXPECT_THAT(far_away.out, HasSubstr("\nAnywhere in the submap the best place scores 0."));
   const Recording recording = ReadRecording(folder_.Path("run.loopscope"));
   const auto& candidates = recording.candidates();
   const auto closed = std::find_if(candidates.begin(), candidates.end(), [](const auto& candidate) {

@@ -235,6 +235,23 @@ TEST(BuildSceneTest, TellsWhereAMatchBeganUnlessWherePredicted) {
   EXPECT_THAT(TextsOfMatch(MatchStart::kNone), Contains("match began"));
 }
 
+TEST(BuildSceneTest, AGraphTellsOfItsOutliersAndItsWorstLoop) {
+  const auto texts_with_outliers_beyond = [](double max_distance) {
+    Options options = SmallLoopOptions();
+    options.pose_graph.optimization_problem.outliers.max_distance = max_distance;
+    return TextsOf(
+        BuildScene(MapLog(SimulateSmallLoop().log, options), RequestFor(ViewKind::kGraph))
+            .annotation);
+  };
+  const std::vector<std::string> with = texts_with_outliers_beyond(0.005);
+  EXPECT_THAT(with, Contains("INTER, left out as outlier"));
+  EXPECT_THAT(with, Contains("outliers"));
+  EXPECT_THAT(with, Contains("0.5 cm")) << "the worst that is in force";
+  const std::vector<std::string> without = texts_with_outliers_beyond(1.0);
+  EXPECT_THAT(without, Not(Contains("INTER, left out as outlier")));
+  EXPECT_THAT(without, Not(Contains("outliers")));
+}
+
 TEST(BuildSceneTest, RefusesWhatCannotBeDrawnSayingWhatWasExpected) {
   ViewRequest request = RequestFor(ViewKind::kMap);
   request.layers = std::set<LayerKind>{LayerKind::kTree};

@@ -73,7 +73,7 @@ TEST_F(TablesTest, AClickedLoopIsSelectedAndInspected) {
   EXPECT_EQ(std::to_string(state().node->index), CellText(table, 2, "node"));
   EXPECT_EQ(std::to_string(state().submap->index), CellText(table, 2, "submap"));
   EXPECT_EQ(state().step, step);
-  EXPECT_THAT(InspectorText(), testing::HasSubstr(CellText(table, 2, "score")));
+  EXPECT_THAT(InspectorText(), testing::HasSubstr("more than " + CellText(table, 2, "min score")));
   EXPECT_THAT(InspectorText(), testing::HasSubstr("(0, " + CellText(table, 2, "node") + ")"));
   ExpectWindow("loop_selected");
 }

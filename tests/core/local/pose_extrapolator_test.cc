@@ -45,6 +45,29 @@ TEST(PoseExtrapolator, AddsTheMotionThatOdometryMeasured) {
               PoseNear(kStart * kSecondMotion, 1e-12, 1e-12));
 }
 
+TEST(PoseExtrapolator, GoesOnFromWhereOdometryBeganWhileMatchesHardlyCorrectIt) {
+  constexpr MotionKnowledge kGoesOn{true, true, true};
+  const Pose2 correction(-0.01, 0.0, 0.0);
+  PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);
+  const Pose2 odom_from_base(-4.0, 1.0, 2.5);
+  const Pose2 odom_from_second = odom_from_base * kSecondMotion;
+  const Pose2 odom_from_third = odom_from_second * kSecondMotion;
+  const Pose2 second = kStart * kSecondMotion * correction;
+  extrapolator.AddPose(10.0, kStart, odom_from_base, kKnown);
+  extrapolator.AddPose(11.0, second, odom_from_second, kGoesOn);
+  EXPECT_EQ(extrapolator.LastPose(), second);
+  EXPECT_THAT(extrapolator.Predict(12.0, odom_from_third),
+              PoseNear(kStart * kSecondMotion * kSecondMotion, 1e-12, 1e-12));
+  extrapolator.AddPose(11.0, second, odom_from_second, kKnown);
+  EXPECT_THAT(extrapolator.Predict(12.0, odom_from_third),
+              PoseNear(second * kSecondMotion, 1e-12, 1e-12));
+  extrapolator.AddPose(12.0, second, kNoOdometry, kGoesOn);
+  extrapolator.AddPose(13.0, second, odom_from_second, kGoesOn);
+  EXPECT_THAT(extrapolator.Predict(14.0, odom_from_third),
+              PoseNear(second * kSecondMotion, 1e-12, 1e-12))
+      << "it was not known in between";
+}
+
 TEST(PoseExtrapolator, BelievesOdometryWhateverTheStampsSay) {
   PoseExtrapolator extrapolator(kUncalibrated, kByStamps, 1.0);
   const Pose2 odom_from_base(9.0, 9.0, 1.0);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -78,6 +79,64 @@ TEST(ExplainLoop, EndsWithTheScoreWhereItWasTooLow) {
   EXPECT_EQ(explanation.checks.back().expected, "more than 0.850");
 }
 
+/// Of each tenth node that found nothing in a small window, and what came of its last search.
+template <typename Action>
+void ForSomeBelowMinScore(const Recording& recording, const Action& action) {
+  for (std::size_t i = 0; i < recording.candidates().size(); ++i) {
+    const LoopCandidate& pair = recording.candidates()[i];
+    if (pair.verdict != Verdict::kBelowMinScore || pair.node.index % 10 != 0) continue;
+    if (static_cast<int>(i) != recording.FindCandidate(pair.submap, pair.node)) continue;
+    const LoopExplanation explanation = ExplainLoop(recording, pair.submap, pair.node);
+    ASSERT_TRUE(explanation.best_in_window);
+    action(pair, explanation);
+  }
+}
+
+Recording SmallLoopWithSmallWindows() {
+  Options options = SmallLoopOptions();
+  options.pose_graph.constraint_builder.fast_correlative_scan_matcher.linear_search_window = 0.2;
+  options.pose_graph.constraint_builder.linear_search_window_per_meter = 0.0;
+  options.pose_graph.constraint_builder.min_score = 0.75;
+  return MapLog(SimulateSmallLoop().log, options);
+}
+
+TEST(ExplainLoop, TellsTheBestPlaceWhereTheSearchEndedBeforeItFoundThat) {
+  int num_better = 0;
+  const auto check = [&](const LoopCandidate& pair, const LoopExplanation& explanation) {
+    const double best = explanation.best_in_window->score;
+    EXPECT_THAT(explanation.checks.back().value,
+                HasSubstr(fmt::format("{:.3f} in a window", best)));
+    EXPECT_GE(best, pair.score);
+    EXPECT_LE(best, pair.score_bound + 1e-6);
+    num_better += best > pair.score ? 1 : 0;
+  };
+  ForSomeBelowMinScore(SmallLoopWithSmallWindows(), check);
+  EXPECT_GT(num_better, 0);
+}
+
+TEST(ExplainLoop, TellsWhatAWindowMissed) {
+  const Recording recording = SmallLoopWithSmallWindows();
+  int num_missed = 0;
+  int num_better_nowhere = 0;
+  const auto check = [&](const LoopCandidate& pair, const LoopExplanation& explanation) {
+    const double best = explanation.best_in_window->score;
+    const double anywhere =
+        SearchWholeSubmap(recording, pair.submap, pair.node, kMinProbability)->score;
+    const std::string text = ExplainWholeSubmap(recording, *explanation.best_in_window);
+    EXPECT_THAT(text, anywhere > best
+                          ? HasSubstr(fmt::format("the best place scores {:.3f}, ", anywhere))
+                          : HasSubstr("Nowhere"));
+    (anywhere > best ? num_missed : num_better_nowhere) += 1;
+  };
+  ForSomeBelowMinScore(recording, check);
+  EXPECT_GT(num_missed, 0);
+  EXPECT_GT(num_better_nowhere, 0);
+}
+
+TEST(ExplainLoop, HasNoBestPlaceOfALoopThatWasFound) {
+  EXPECT_FALSE(ExplainFirstWith(SmallLoop(), Verdict::kAccepted).best_in_window);
+}
+
 /// Maps the small loop, and tells which check failed of the first pair with this verdict.
 LoopCheck FailedCheck(const Options& options, Verdict verdict, std::uint64_t seed = 1) {
   const LoopExplanation explanation =
@@ -118,7 +177,8 @@ TEST(ExplainLoop, TellsWhatAPairThatWasNotSampledWouldHaveScored) {
   const LoopExplanation explanation = ExplainFirstWith(SmallLoop(), Verdict::kNotSampled);
   EXPECT_FALSE(explanation.closed);
   EXPECT_EQ(explanation.checks.back().what, "sampled");
-  EXPECT_THAT(explanation.answer, HasSubstr("it scores 0."));
+  EXPECT_THAT(explanation.answer, HasSubstr("the best place scores 0."));
+  EXPECT_TRUE(explanation.best_in_window);
 }
 
 /// As if the user had stopped the mapping after so many scans.
@@ -136,7 +196,8 @@ TEST(ExplainLoop, SaysThatTheRecordingEndedTooEarly) {
   const LoopExplanation explanation = ExplainLoop(recording, loop.submap, loop.node);
   EXPECT_FALSE(explanation.closed);
   EXPECT_THAT(explanation.answer, HasSubstr("recording ends"));
-  EXPECT_THAT(explanation.answer, HasSubstr("it scores 0."));
+  EXPECT_THAT(explanation.answer, HasSubstr("the best place scores 0."));
+  EXPECT_TRUE(explanation.best_in_window);
 }
 
 /// Of the first pair that the small loop closes, mapped with `options`.

@@ -102,6 +102,7 @@ const std::map<std::string, OptionValue> kOwn = {
     {"TRAJECTORY_BUILDER_2D.steady_pace_memory", 0.0},
     {"TRAJECTORY_BUILDER_2D.unmeasured_prior_scale", 1.0},
     {"TRAJECTORY_BUILDER_2D.full_prior_motion", 0.0},
+    {"TRAJECTORY_BUILDER_2D.max_correction_between_nodes", 0.0},
     {"TRAJECTORY_BUILDER_2D.velocity_gain", 1.0},
     {"TRAJECTORY_BUILDER_2D.second_prior_relative_score", 0.0},
     {"TRAJECTORY_BUILDER_2D.past_motions_weight", 0.0},
