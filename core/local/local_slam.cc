@@ -58,6 +58,7 @@ LocalSlamResult LocalSlam::AddScan(int scan) {
   result.has_returns = !result.range_data.returns.empty();
   result.local_from_base_prior = Rounded(prediction.local_from_base);
   result.local_from_base = result.local_from_base_prior;
+  odometry_is_trusted_ = odometry_is_trusted_ && IsUsual(result.odom_from_base);
   if (result.has_returns) Match(scan, &result);
   RequireInMap(result.local_from_base);
   const bool is_inserted =
@@ -71,10 +72,17 @@ LocalSlamResult LocalSlam::AddScan(int scan) {
   return result;
 }
 
+bool LocalSlam::IsUsual(const std::optional<Pose2>& odom_from_base) const {
+  return num_matched_ >= kNumScansUntilVelocityIsKnown &&
+         extrapolator_.MotionIsMeasured(odom_from_base) &&
+         !extrapolator_.IsUnusual(*odom_from_base);
+}
+
 bool LocalSlam::AgreesWithOdometry(const LocalSlamResult& result) const {
   const Pose2 correction = result.local_from_base_prior.Inverse() * result.local_from_base;
   return result.match_start == MatchStart::kPrior &&
          extrapolator_.MotionIsMeasured(result.odom_from_base) &&
+         !extrapolator_.StandsStill(*result.odom_from_base) &&
          SizeOf(correction) < options_.max_correction_between_nodes;
 }
 
@@ -95,6 +103,7 @@ void LocalSlam::Match(int scan, LocalSlamResult* result) {
   const ScanMatch match = MatchInDoubt(scan_to_match, *result, submap);
   LearnExpectedScore(match.score);
   SetPose(scan, match, submap, result);
+  odometry_is_trusted_ = odometry_is_trusted_ || result->match_start != MatchStart::kNone;
   const bool is_as_measured = is_measured && match.start == MatchStart::kPrior;
   const bool is_held =
       !MatchedNowhere(match.start) && HoldsAhead(*points, match.submap_from_base, active->grid);
@@ -131,6 +140,7 @@ MatchPrior LocalSlam::PriorOf(const ScanToMatch& scan, const LocalSlamResult& re
                               const MatchedSubmap& submap) const {
   MatchPrior prior{submap.local_from_submap.Inverse() * result.local_from_base_prior, true};
   prior.is_far_from_before = scan.is_far_from_before;
+  prior.is_trusted = odometry_is_trusted_;
   prior.motion_size = SizeOf(extrapolator_.LastPose().Inverse() * result.local_from_base_prior);
   if (num_matched_ >= kNumScansUntilVelocityIsKnown) {
     prior.submap_from_base_by_velocity = SubmapFromBaseByVelocity(scan.index, submap);
@@ -210,10 +220,10 @@ std::optional<ScanMatch> LocalSlam::MatchScanAhead(int scan, const Prediction& p
                                                    double expected_score) const {
   const auto points = PointsToMatch(PrepareRangeData(log_, scan, options_), options_);
   if (!points) return std::nullopt;
-  return MatchScan(
-      *points, submap.grid,
-      {submap.local_from_submap.Inverse() * prediction.local_from_base, prediction.is_measured},
-      expected_score, options_);
+  MatchPrior prior{submap.local_from_submap.Inverse() * prediction.local_from_base,
+                   prediction.is_measured};
+  prior.is_trusted = odometry_is_trusted_;
+  return MatchScan(*points, submap.grid, prior, expected_score, options_);
 }
 
 double LocalSlam::ScoreOfScansAhead(int scan, const Pose2& submap_from_base,

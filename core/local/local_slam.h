@@ -52,7 +52,10 @@ class LocalSlam {
   };
 
   void Match(int scan, LocalSlamResult* result);
-  /// Whether the match hardly corrects where odometry has the scan, by max_correction_between_nodes.
+  /// Whether odometry measured the motion since the scan before, and one as it often does.
+  bool IsUsual(const std::optional<Pose2>& odom_from_base) const;
+  /// Whether the match hardly corrects where odometry has the scan, by
+  /// max_correction_between_nodes.
   bool AgreesWithOdometry(const LocalSlamResult& result) const;
   void LearnExpectedScore(double score);
   /// Where the scan is: where it matched, or by those ahead if it matches nowhere.
@@ -101,6 +104,8 @@ class LocalSlam {
   PoseExtrapolator extrapolator_;
   MotionFilter motion_filter_;
   ActiveSubmaps active_submaps_;
+  /// Since the last scan that matched it measured all motions, and did nothing unusual.
+  bool odometry_is_trusted_ = false;
   int num_matched_ = 0;          ///< of the scans so far
   double expected_score_ = 0.0;  ///< of a match: running average of those before
 };

@@ -33,7 +33,8 @@ class PoseExtrapolator {
       : calibration_(calibration), pace_(pace), velocity_gain_(velocity_gain) {}
 
   /// The pose at `time` [s]: the motion that odometry measured since the last pose from which it
-  /// did not just go on, if it was known at the last pose and is now; else as PredictByVelocity has it. The identity before any pose is known.
+  /// did not just go on, if it was known at the last pose and is now; else as PredictByVelocity has
+  /// it. The identity before any pose is known.
   Pose2 Predict(double time, const std::optional<Pose2>& odom_from_base) const;
 
   /// Whatever odometry says: the robot goes on at its velocity, and turns as it did between the

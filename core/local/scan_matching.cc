@@ -140,9 +140,11 @@ ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& gri
   const bool matches_what_is_known =
       MatchesWhatIsKnown(points_in_base, near, grid, min_score, options);
   if (prior.is_measured && prior.is_far_from_before && matches_what_is_known) return near;
-  const auto recovered = Recover(points_in_base, grid, prior.submap_from_base, prior.is_measured,
-                                 near.score, min_score, options);
-  if (recovered) return *recovered;
+  if (!prior.is_trusted) {
+    const auto recovered = Recover(points_in_base, grid, prior.submap_from_base, prior.is_measured,
+                                   near.score, min_score, options);
+    if (recovered) return *recovered;
+  }
   if (matches_what_is_known) return near;
   return {std::nullopt, prior.submap_from_base,
           MeanProbability(points_in_base, prior.submap_from_base, grid), MatchStart::kNone};

@@ -27,6 +27,8 @@ struct MatchPrior {
   bool is_measured = false;  ///< by odometry
   /// Where the robot would be had it gone on as before, if odometry says otherwise.
   std::optional<Pose2> submap_from_base_by_velocity{};
+  /// By odometry that did nothing unusual since the last scan that matched.
+  bool is_trusted = false;
   /// Whether the robot went so far since the scan before that it may see what is not known yet.
   bool is_far_from_before = false;
   /// [m] Of a measured one, SizeOf the motion since the scan before.
@@ -42,7 +44,8 @@ double SizeOf(const Pose2& motion);
 /// 2. where the velocity has the robot: then odometry was wrong;
 /// 3. at the prior of 1, if that is measured and far from before, and the points in known cells
 ///    match well;
-/// 4. in a wide window around the prior; of one that was not measured first nearby;
+/// 4. in a wide window around the prior, if that is not trusted; of one that was not measured first
+///    nearby;
 /// 5. at the prior of 1, if the points in known cells match well;
 /// 6. nowhere: the scan stays at the prior, kNone.
 ScanMatch MatchScan(const PointCloud& points_in_base, const ProbabilityGrid& grid,

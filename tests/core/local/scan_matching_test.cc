@@ -100,6 +100,18 @@ TEST_F(ScanMatching, BelievesTheVelocityWhereItMatchesAndOdometryDoesNot) {
   EXPECT_THAT(match(by_velocity, good_score).submap_from_base, Not(PoseNear(kTruth, 0.2, 0.2)));
 }
 
+TEST_F(ScanMatching, SearchesNotWhereTheWayIsTrusted) {
+  options_.recovery.min_relative_score = 0.6;
+  constexpr double expected_score = 0.9;
+  MatchPrior prior{kWrongPrior, true};
+  EXPECT_EQ(MatchScan(points_, room_.grid(), prior, expected_score, options_).start,
+            MatchStart::kRecovery);
+  prior.is_trusted = true;
+  const ScanMatch match = MatchScan(points_, room_.grid(), prior, expected_score, options_);
+  EXPECT_EQ(match.start, MatchStart::kNone);
+  EXPECT_EQ(match.submap_from_base, kWrongPrior);
+}
+
 TEST_F(ScanMatching, SearchesSoonerWhereNobodyMeasuredTheMotion) {
   options_.recovery.min_relative_score = 0.2;
   const double near_score = Match(kWrongPrior, 0.0).score;
