@@ -106,10 +106,12 @@ TEST_P(SlamInAnAmbiguousCorridor, ClosesNoFalseLoopIfNothingTellsHowFarItWent) {
 }
 
 TEST(Slam, DoesNotLagBehindInACorridorThatIsScannedOften) {
-  const Simulation simulation = SimulateAmbiguousCorridor(8.0, 1, 0.05);
-  const Recording recording = MapLog(simulation.log, LoopscopePreset(), 2);
-  const auto error = EvaluateTrajectory(simulation.ground_truth, TrajectoryOf(recording));
-  EXPECT_LT(error->translation.rmse, 0.4);
+  for (const int seed : {1, 6}) {
+    const Simulation simulation = SimulateAmbiguousCorridor(8.0, seed, 0.05);
+    const Recording recording = MapLog(simulation.log, LoopscopePreset(), 2);
+    const auto error = EvaluateTrajectory(simulation.ground_truth, TrajectoryOf(recording));
+    EXPECT_LT(error->translation.rmse, 0.25) << seed;
+  }
 }
 
 /// Maps a built-in world in which places look alike, and expects no false loop.
