@@ -67,8 +67,10 @@ void AddMapCommand(CLI::App* app, int* exit_code) {
       ->required()
       ->type_name("");
   command
-      ->add_option("-o,--output", arguments->output,
-                   "Recording to write (default: name of the log with .loopscope, here)")
+      ->add_option(
+          "-o,--output", arguments->output,
+          "Recording to write (default: name of the log with .loopscope, here); one that is "
+          "finished there is kept, with .before behind its name, until this one is, too")
       ->type_name("RUN.loopscope");
   AddOptionsArguments(command, &arguments->options);
   command
