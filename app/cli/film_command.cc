@@ -4,7 +4,6 @@
 #include <future>
 #include <malloc.h>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -37,15 +36,6 @@ void KeepFreedMemory() {
   mallopt(M_TRIM_THRESHOLD, kBytes);
 }
 
-/// Nothing where there is nothing to show.
-std::optional<Picture> Frame(Painter* painter, DerivedCache* cache, const ViewRequest& request) {
-  try {
-    return painter->Draw(cache, request);
-  } catch (const NothingToShow&) {
-    return std::nullopt;
-  }
-}
-
 struct Shot {
   int num_frames = 0;
   int num_left_out = 0;  ///< steps of which there is nothing to show
@@ -66,13 +56,14 @@ Shot Shoot(const Recording& recording, const FilmArguments& arguments, const Ste
   std::future<void> written;  // the frame before, while the next one is drawn
   while (done < steps.count() && !(shot.num_frames > 0 && InterruptGuard::interrupted())) {
     request.step = steps.step(done++);
-    if (std::optional<Picture> picture = Frame(&painter, &cache, request)) {
+    try {
+      Picture picture = painter.Draw(&cache, request);
       if (written.valid()) written.get();
       written = std::async(std::launch::async,
-                           [&film, picture = *std::move(picture)] { film->Add(picture); });
+                           [&film, picture = std::move(picture)] { film->Add(picture); });
       ++shot.num_frames;
-    } else if (++shot.num_left_out == steps.count()) {
-      painter.Draw(&cache, request);  // throws why there is nothing
+    } catch (const NothingToShow&) {
+      if (++shot.num_left_out == steps.count()) throw;
     }
     bar.Show(done, steps.count(), fmt::format("steps  {:.1f} steps/s", done / bar.seconds()));
   }

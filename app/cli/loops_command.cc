@@ -54,11 +54,6 @@ Value If(bool applies, Value value) { return applies ? std::move(value) : Value(
 
 bool IsSearched(const Row& row) { return row.candidate->verdict != Verdict::kNotSampled; }
 
-/// Of the place found, seen from the guess: how far the search moved the node.
-Pose2 Moved(const LoopCandidate& c) {
-  return c.submap_from_node_guess.Inverse() * c.submap_from_node_searched;
-}
-
 template <double LoopCandidate::*number>
 Value OfSearch(const Row& row) {
   return If(IsSearched(row), row.candidate->*number);

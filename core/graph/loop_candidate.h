@@ -62,4 +62,9 @@ struct LoopCandidate {
   Pose2 submap_from_node;           ///< refined by (CS): the constraint, if accepted
 };
 
+/// Where the search found the node, seen from the guess.
+inline Pose2 Moved(const LoopCandidate& searched) {
+  return searched.submap_from_node_guess.Inverse() * searched.submap_from_node_searched;
+}
+
 }  // namespace loopscope

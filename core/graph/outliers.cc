@@ -23,10 +23,8 @@ bool HaveSamePairs(const std::vector<Constraint>& a, const std::vector<Constrain
 GraphProblem WithoutKnownOutliers(const GraphProblem& problem, std::size_t num_judged,
                                   const OutlierOptions& options) {
   const auto is_outlier = [&](const Constraint& c) {
-    const Eigen::Vector3d residual =
-        SpaError(c.submap_from_node, problem.global_from_submap[c.submap.index],
-                 problem.global_from_node[c.node.index]);
-    return c.tag == Constraint::Tag::kInterSubmap && IsOutlier(residual, options);
+    return c.tag == Constraint::Tag::kInterSubmap &&
+           IsOutlier(c, problem.global_from_submap, problem.global_from_node, options);
   };
   GraphProblem rest = problem;
   const auto judged_end = rest.constraints.begin() + static_cast<std::ptrdiff_t>(num_judged);
@@ -40,6 +38,13 @@ GraphProblem WithoutKnownOutliers(const GraphProblem& problem, std::size_t num_j
 bool IsOutlier(const Eigen::Vector3d& residual, const OutlierOptions& options) {
   return options.max_distance > 0.0 && (residual.head<2>().norm() > options.max_distance ||
                                         std::abs(residual.z()) > options.max_angle);
+}
+
+bool IsOutlier(const Constraint& loop, const std::vector<Pose2>& global_from_submap,
+               const std::vector<Pose2>& global_from_node, const OutlierOptions& options) {
+  return IsOutlier(SpaError(loop.submap_from_node, global_from_submap[loop.submap.index],
+                            global_from_node[loop.node.index]),
+                   options);
 }
 
 GraphProblem WithoutOutliers(const GraphProblem& problem, const OutlierOptions& options) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "core/graph/graph_solver.h"
 
 namespace loopscope {
@@ -9,6 +11,10 @@ namespace loopscope {
 /// Whether the residual of eq. 5 [m, m, rad] of a loop is beyond what `options` leave it. False if
 /// they are off.
 bool IsOutlier(const Eigen::Vector3d& residual, const OutlierOptions& options);
+
+/// Whether `loop` is one at these poses.
+bool IsOutlier(const Constraint& loop, const std::vector<Pose2>& global_from_submap,
+               const std::vector<Pose2>& global_from_node, const OutlierOptions& options);
 
 /// The problem without the loops that are outliers at its poses.
 GraphProblem WithoutOutliers(const GraphProblem& problem, const OutlierOptions& options);

@@ -27,7 +27,7 @@ LoopCandidate BestInWindow(const Recording& recording, SubmapId submap, NodeId n
 /// "the best place scores 0.512, 0.34 m and 1.2 deg from the estimate".
 std::string PlaceText(const LoopCandidate& best) {
   if (!IsFound(best.verdict)) return "no place touches what the submap knows";
-  const Pose2 moved = best.submap_from_node_guess.Inverse() * best.submap_from_node_searched;
+  const Pose2 moved = Moved(best);
   return fmt::format("the best place scores {:.3f}, {:.2f} m and {:.1f} deg from the estimate",
                      best.score, moved.translation.norm(),
                      RadiansToDegrees(std::abs(NormalizeAngle(moved.rotation))));

@@ -1,13 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <array>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include "core/graph/outliers.h"
-#include "core/graph/spa_cost.h"
 #include "core/slam/derive.h"
 #include "render/layers/constraints.h"
 #include "render/number_text.h"
@@ -42,14 +39,6 @@ std::vector<Constraint> RefusedLoops(const Recording& recording, const MapState&
   return refused;
 }
 
-bool IsOutlierIn(const MapState& state, const PlacedConstraint& placed,
-                 const OutlierOptions& options) {
-  const Constraint& loop = placed.constraint;
-  return IsOutlier(SpaError(loop.submap_from_node, state.global_from_submap[loop.submap.index],
-                            state.global_from_node[loop.node.index]),
-                   options);
-}
-
 Graph GraphAfterStep(const Recording& recording, int step) {
   Graph graph{StateAfterStep(recording, step), {}, {}, {}, {}};
   const std::vector<Constraint> constraints = ConstraintsOf(recording, graph.state);
@@ -57,7 +46,9 @@ Graph GraphAfterStep(const Recording& recording, int step) {
   const OutlierOptions& options = recording.options().pose_graph.optimization_problem.outliers;
   for (const PlacedConstraint& loop :
        PlaceConstraints(constraints, Constraint::Tag::kInterSubmap, graph.state)) {
-    (IsOutlierIn(graph.state, loop, options) ? graph.outliers : graph.inter).push_back(loop);
+    const bool is_outlier = IsOutlier(loop.constraint, graph.state.global_from_submap,
+                                      graph.state.global_from_node, options);
+    (is_outlier ? graph.outliers : graph.inter).push_back(loop);
   }
   graph.refused = PlaceConstraints(RefusedLoops(recording, graph.state),
                                    Constraint::Tag::kInterSubmap, graph.state);
@@ -156,12 +147,6 @@ void DrawLinks(const Graph& graph, const Highlight& highlight, Sheet* sheet) {
     return InterConstraintsLayer(LinksOf(highlight, graph.inter), sheet->palette().inter,
                                  sheet->Px(widths::kLine));
   });
-}
-
-/// Colours and widths of lines that are seen on all others: dark ones, and in them those asked for.
-std::array<std::pair<Color, double>, 2> Edged(const Color& color, double width,
-                                              const Palette& palette) {
-  return {std::pair(palette.selection_edge, width + 2.0 * widths::kThin), std::pair(color, width)};
 }
 
 /// The worst loop wider than the others, with its residual written at its node, while nothing else

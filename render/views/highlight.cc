@@ -161,18 +161,24 @@ std::vector<PlacedConstraint> LinksOf(const Highlight& highlight,
   return links;
 }
 
+std::array<std::pair<Color, double>, 2> Edged(const Color& color, double width,
+                                              const Palette& palette) {
+  return {std::pair(palette.selection_edge, width + 2.0 * widths::kThin), std::pair(color, width)};
+}
+
 Written DrawHighlight(const Highlight& highlight, const PoseColors& colors, Sheet* sheet) {
   if (highlight.empty() || !sheet->Shows(LayerKind::kSelection)) return {};
   constexpr double kWidth = 1.1 * widths::kBold;
-  constexpr double kEdged = kWidth + 2.0 * widths::kThin;
   const Palette& palette = sheet->palette();
-  DrawLines(highlight, palette.selection_edge, kEdged, sheet);
-  DrawLines(highlight, palette.selection, kWidth, sheet);
+  for (const auto& [color, width] : Edged(palette.selection, kWidth, palette)) {
+    DrawLines(highlight, color, width, sheet);
+  }
   if (highlight.link) {
     const bool intra = highlight.link->constraint.tag == Tag::kIntraSubmap;
-    DrawResidual(*highlight.link, palette.selection_edge, kEdged, sheet);
-    DrawResidual(*highlight.link, intra ? palette.intra_residual : palette.inter_residual, kWidth,
-                 sheet);
+    for (const auto& [color, width] :
+         Edged(intra ? palette.intra_residual : palette.inter_residual, kWidth, palette)) {
+      DrawResidual(*highlight.link, color, width, sheet);
+    }
   }
   if (highlight.submap) {
     sheet->Add(0, LayerKind::kSelection, [&] {

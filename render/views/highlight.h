@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "render/layers/constraints.h"
@@ -41,6 +43,10 @@ std::vector<PlacedConstraint> LinksOf(const Highlight& highlight,
 /// Writes `text` beside `place`, in one of four ways: the first that leaves all of `labels` free.
 void WriteBeside(const Eigen::Vector2d& place, const std::string& text, const TextStyle& style,
                  const Sheet& sheet, std::vector<Label>* labels);
+
+/// Colours and widths of lines that are seen on all others: dark ones, and in them those asked for.
+std::array<std::pair<Color, double>, 2> Edged(const Color& color, double width,
+                                              const Palette& palette);
 
 /// Draws the node as a ring, the submap as the box around its known cells and a bold frame, and the
 /// link between them with its residual, in panel 0; over them their ids and what the link is, in

@@ -22,8 +22,7 @@ std::string VerdictText(const SearchReplay& search) {
 /// How far the search, and then the refinement by (CS), moved the node.
 std::vector<Fact> MovesOf(const SearchReplay& search) {
   const LoopCandidate& result = search.result;
-  const Pose2 moved =
-      search.candidate.submap_from_node_guess.Inverse() * result.submap_from_node_searched;
+  const Pose2 moved = Moved(result);
   std::vector<Fact> facts{{"moved", LengthText(moved.translation.norm())},
                           {"turned left", AngleText(moved.rotation)}};
   if (search.trace.winner < 0) return facts;
