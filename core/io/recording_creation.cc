@@ -41,13 +41,18 @@ void SettleJournal(const std::string& path) {
   fs::remove(journal);
 }
 
+/// Whether a recording went to its end; or that cannot be read, which is for the user to judge.
+bool MayBeFinished(const std::string& path) {
+  try {
+    return ReadWallSeconds(path).has_value();
+  } catch (const FileError&) {
+    return true;
+  }
+}
+
 /// Moves a recording that went to its end out of the way of one that may not.
 void KeepIfFinished(const std::string& path) {
-  if (!fs::exists(path) || !IsRecording(path)) return;
-  SQLite::Database database(path, SQLite::OPEN_READONLY);
-  const bool is_finished = database.tableExists("timing") &&
-                           database.execAndGet("SELECT count(*) FROM timing").getInt() > 0;
-  if (is_finished) fs::rename(path, KeptRecording(path));
+  if (IsRecording(path) && MayBeFinished(path)) fs::rename(path, KeptRecording(path));
 }
 
 void CheckReplaceable(const std::string& path) {

@@ -19,8 +19,8 @@ class RecordingWriter {
  public:
   /// Begins the recording of a run of `options` on `log`. A recording at `path` is replaced, at the
   /// moment in which the new one is complete but for its steps; until then it is written to
-  /// `path`.part. If the other went to its end, it is kept as KeptRecording until this one does.
-  /// Throws FileError if that cannot be done, if another one is still being written
+  /// `path`.part. If the other went to its end, or is damaged, it is kept as KeptRecording until
+  /// this one does. Throws FileError if that cannot be done, if another one is still being written
   /// there, or if something else than a recording is at `path`; then that is left as it was.
   RecordingWriter(const std::string& path, const ScanLog& log, const Options& options);
   ~RecordingWriter();

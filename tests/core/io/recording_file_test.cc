@@ -163,6 +163,19 @@ TEST(RecordingFile, KeepsAFinishedRecordingUntilTheOneInItsPlaceIsFinished) {
   EXPECT_EQ(ReadWallSeconds(path), 2.0);
 }
 
+TEST(RecordingFile, KeepsADamagedRecordingAsAFinishedOne) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Path("a.loopscope");
+  const SmallRun run(3);
+  Write(path, run);
+  std::string damaged = ContentOf(path);
+  damaged.replace(100, 3996, std::string(3996, '\xff'));  // the rest of the first page
+  folder.Write("a.loopscope", damaged);
+  Write(path, run);
+  EXPECT_EQ(ReadRecording(path).num_steps(), 3);
+  EXPECT_EQ(ContentOf(path + ".before"), damaged);
+}
+
 TEST(RecordingFile, DoesNotTakeOverTheJournalOfTheRecordingItReplaces) {
   const TemporaryFolder folder;
   const std::string path = folder.Path("a.loopscope");
