@@ -139,6 +139,10 @@ void SumRowsOfWindows(const std::uint8_t* bytes, const std::int32_t* windows,
   const auto rows_of = [&](std::size_t i)
                            HWY_ATTR { return hn::LoadU(WindowBytes(), bytes + windows[i]); };
   std::size_t i = 0;
+  for (; i + 4 <= num_windows; i += 4) {
+    add(rows_of(i), rows_of(i + 1));
+    add(rows_of(i + 2), rows_of(i + 3));
+  }
   for (; i + 2 <= num_windows; i += 2) add(rows_of(i), rows_of(i + 1));
   if (i < num_windows) add(rows_of(i), hn::Zero(WindowBytes()));
   const auto both = hn::Add(hn::Sub(word_sums, hn::ShiftLeft<8>(upper_sums)), upper_sums);

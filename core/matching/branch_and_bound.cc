@@ -28,6 +28,9 @@ static_assert(1 << kHeightsPerBranch == kBlocksPerSide);
 /// Start nodes that a search branches before it refines the others: most searches end before.
 constexpr std::size_t kNumBranchedBeforeRefining = 20;
 
+/// Angles whose cells memory is taken for at once: those of a small window.
+constexpr std::size_t kNumAnglesAtOnce = 32;
+
 /// Offsets of a window that are not of interest.
 struct Disc {
   Eigen::Vector2d center;  ///< [cells]
@@ -53,6 +56,7 @@ class Search {
         scan_(window, points),
         num_points_(static_cast<int>(points.size())),
         trace_(trace),
+        memory_(num_points_ * sizeof(CellIndex) * kNumAnglesAtOnce),
         cells_at_angle_(2 * window.num_angular_steps + 1) {
     if (trace_ != nullptr) *trace_ = SearchTrace{window, {}, {}, -1};
   }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/matching/start_queue.h"
 
+#include <algorithm>
+
 namespace loopscope {
 namespace {
 
@@ -17,26 +19,26 @@ SearchBlock SearchSquare::Best(int max_sum) const {
 }
 
 void StartQueue::Push(const SearchSquare& square, const SearchBlock& best) {
-  entries_.push({best, static_cast<int>(squares_.size())});
+  entries_.push_back({best, static_cast<int>(squares_.size())});
+  std::push_heap(entries_.begin(), entries_.end());
   squares_.push_back(square);
 }
 
 SearchBlock StartQueue::Pop() {
-  const Entry next = entries_.top();
-  entries_.pop();
+  const Entry next = entries_.front();
   SearchSquare& square = squares_[next.square];
   square.sums[PlaceOf(next.block, square)] = kTaken;
-  PushBest(next.square);
+  ReplaceByBest(next.square);
   return next.block;
 }
 
 bool StartQueue::TopIsRefined() const {
-  const SearchSquare& square = squares_[entries_.top().square];
+  const SearchSquare& square = squares_[entries_.front().square];
   return (square.is_refined >> PlaceOf(top(), square) & 1) != 0;
 }
 
 CellIndex StartQueue::GroupOfTop() const {
-  const SearchSquare& square = squares_[entries_.top().square];
+  const SearchSquare& square = squares_[entries_.front().square];
   const int of_group = 2 << square.height;
   const CellIndex offset = top().offset;
   return {offset.x - (offset.x - square.first.x) % of_group,
@@ -44,10 +46,9 @@ CellIndex StartQueue::GroupOfTop() const {
 }
 
 void StartQueue::RefineTop(const BlockSums& parts) {
-  const int index = entries_.top().square;
+  const int index = entries_.front().square;
   SearchSquare& square = squares_[index];
   const int group = PlaceOf({GroupOfTop(), 0, 0, 0, 0}, square);
-  entries_.pop();
   for (const int in_group : {0, 1, kBlocksPerSide, kBlocksPerSide + 1}) {
     const int place = group + in_group;
     if (square.sums[place] == kTaken) continue;
@@ -55,7 +56,7 @@ void StartQueue::RefineTop(const BlockSums& parts) {
         MaxOfBlocks(&parts[kPartsPerSide * in_group], kPartsPerSide, kPartsPerSide);
     square.is_refined |= std::uint64_t{1} << place;
   }
-  PushBest(index);
+  ReplaceByBest(index);
 }
 
 int StartQueue::PlaceOf(const SearchBlock& block, const SearchSquare& square) {
@@ -64,9 +65,15 @@ int StartQueue::PlaceOf(const SearchBlock& block, const SearchSquare& square) {
   return row * kBlocksPerSide + column;
 }
 
-void StartQueue::PushBest(int square) {
+void StartQueue::ReplaceByBest(int square) {
+  std::pop_heap(entries_.begin(), entries_.end());
   const int max_sum = squares_[square].MaxSum();
-  if (max_sum != kTaken) entries_.push({squares_[square].Best(max_sum), square});
+  if (max_sum == kTaken) {
+    entries_.pop_back();
+    return;
+  }
+  entries_.back() = {squares_[square].Best(max_sum), square};
+  std::push_heap(entries_.begin(), entries_.end());
 }
 
 }  // namespace loopscope

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <queue>
 #include <vector>
 
 #include "core/matching/block_sums.h"
@@ -40,10 +39,13 @@ struct SearchSquare {
 /// for.
 class StartQueue {
  public:
-  StartQueue() { squares_.reserve(kUsualNumSquares); }
+  StartQueue() {
+    squares_.reserve(kUsualNumSquares);
+    entries_.reserve(kUsualNumSquares);
+  }
 
   bool empty() const { return entries_.empty(); }
-  const SearchBlock& top() const { return entries_.top().block; }
+  const SearchBlock& top() const { return entries_.front().block; }
 
   /// `best` is the best of the square.
   void Push(const SearchSquare& square, const SearchBlock& best);
@@ -73,10 +75,11 @@ class StartQueue {
 
   /// Of a block of a square, row-major.
   static int PlaceOf(const SearchBlock& block, const SearchSquare& square);
-  void PushBest(int square);
+  /// Instead of the top.
+  void ReplaceByBest(int square);
 
   std::vector<SearchSquare> squares_;
-  std::priority_queue<Entry> entries_;
+  std::vector<Entry> entries_;  ///< a heap
 };
 
 }  // namespace loopscope

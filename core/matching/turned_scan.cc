@@ -114,10 +114,14 @@ HWY_AFTER_NAMESPACE();
 namespace loopscope {
 namespace {
 
-/// [cells] At most so far is a point, at `max_range` [cells] from the scanner, when it is turned in
-/// single precision: eight roundings at most, each by half of an epsilon.
-float MaxErrorOfTurned(double max_range) {
-  return static_cast<float>(4.0 * std::numeric_limits<float>::epsilon() * (max_range + 1.0));
+/// [cells] Of the farthest point, which an angular step moves by one cell.
+double MaxRange(const SearchWindow& window) { return 0.5 / std::sin(0.5 * window.angular_step); }
+
+/// [cells] At most so far off is a point when it is turned in single precision: eight roundings at
+/// most, each by half of an epsilon.
+float MaxErrorOfTurned(const SearchWindow& window) {
+  constexpr float kEpsilon = std::numeric_limits<float>::epsilon();
+  return 4.0F * kEpsilon * static_cast<float>(MaxRange(window) + 1.0);
 }
 
 }  // namespace
@@ -126,17 +130,16 @@ HWY_EXPORT(CellsOfMovedHere);
 HWY_EXPORT(LowestCellsHere);
 
 TurnedScan::TurnedScan(const SearchWindow& window, const PointCloud& points_in_scan)
-    : window_(window), points_(points_in_scan) {
-  x_in_cells_.reserve(points_.size());
-  y_in_cells_.reserve(points_.size());
-  double max_square = 0.0;
-  for (const Eigen::Vector2d& point_in_meters : points_) {
-    const Eigen::Vector2d point = point_in_meters / window.resolution;
-    x_in_cells_.push_back(static_cast<float>(point.x()));
-    y_in_cells_.push_back(static_cast<float>(point.y()));
-    max_square = std::max(max_square, point.squaredNorm());
+    : window_(window),
+      points_(points_in_scan),
+      x_in_cells_(points_.size()),
+      y_in_cells_(points_.size()),
+      max_error_(MaxErrorOfTurned(window)) {
+  const double cells_per_meter = 1.0 / window.resolution;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    x_in_cells_[i] = static_cast<float>(cells_per_meter * points_[i].x());
+    y_in_cells_[i] = static_cast<float>(cells_per_meter * points_[i].y());
   }
-  max_error_ = MaxErrorOfTurned(std::sqrt(max_square));
 }
 
 std::vector<CellIndex> TurnedScan::CellsAt(int angle_index) const {
@@ -153,11 +156,9 @@ void TurnedScan::CellsAt(int angle_index, CellIndex* cells) const {
 }
 
 std::vector<CellIndex> TurnedScan::LowestCells(int first_angle, int last_angle) const {
-  // Each point moves on an arc; no farther than this from the line between its ends. A step moves
-  // the farthest point by one cell.
-  const double max_range = 0.5 * window_.resolution / std::sin(0.5 * window_.angular_step);
+  // Each point moves on an arc; no farther than this from the line between its ends.
   const double half_turn = 0.5 * (last_angle - first_angle) * window_.angular_step;
-  const double max_sagitta = max_range * (1.0 - std::cos(half_turn));
+  const double max_sagitta = MaxRange(window_) * window_.resolution * (1.0 - std::cos(half_turn));
   const Pose2 first = PoseInWindow(window_, {0, 0}, first_angle);
   const Pose2 last = PoseInWindow(window_, {0, 0}, last_angle);
   const Eigen::Vector2d lowest = first.translation.array() - max_sagitta;
