@@ -31,7 +31,7 @@ TEST_F(OpeningTest, ARecordingIsShownFromItsLastStep) {
 
 TEST_F(OpeningTest, ALogIsMappedToItsEndWhileTheSessionFollows) {
   std::set<int> steps_seen;
-  window().Run("file.open " + CopyOfLog());
+  window().Run("file.open " + CopyOfLongLog());
   WaitFor(
       [&] {
         steps_seen.insert(session().last_step());
@@ -41,7 +41,7 @@ TEST_F(OpeningTest, ALogIsMappedToItsEndWhileTheSessionFollows) {
       "the log is mapped");
   EXPECT_GT(steps_seen.size(), 3u);
   EXPECT_EQ(window().message(), "");
-  EXPECT_EQ(session().path(), folder().Path("small_loop.loopscope"));
+  EXPECT_EQ(session().path(), folder().Path("office.loopscope"));
   const int num_scans = static_cast<int>(session().recording().log().scans.size());
   EXPECT_EQ(session().last_step(), num_scans - 1);
   EXPECT_EQ(ReadRecording(session().path()).num_steps(), num_scans);
