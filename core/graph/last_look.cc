@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/graph/spa_cost.h"
 #include "core/matching/match_score.h"
 
 namespace loopscope {
@@ -26,6 +27,10 @@ double RelativeScoreOfKnown(const PointCloud& points_in_node, const Pose2& subma
   const double min_num_known = options.min_known_share * static_cast<double>(points_in_node.size());
   if (of_winner.num_points == 0 || score.num_points < min_num_known) return 0.0;
   return score.mean_probability / of_winner.mean_probability;
+}
+
+Eigen::Vector3d ResidualAtGuess(const LoopCandidate& found) {
+  return SpaError(found.submap_from_node, Pose2(), found.submap_from_node_guess);
 }
 
 }  // namespace loopscope

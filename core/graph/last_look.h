@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/geometry/pose2.h"
+#include "core/graph/loop_candidate.h"
 #include "core/grid/probability_grid.h"
 #include "core/sensor/range_data.h"
 
@@ -11,7 +12,7 @@ namespace loopscope {
 /// POSE_GRAPH.constraint_builder.last_look, not in Cartographer: after the final optimization all
 /// submaps of one place, see SecondLookOptions, that no loop ties are searched once more where the
 /// map has them, in the least window. Few poses in it could match by chance, so that less has to
-/// match.
+/// match; but what is found off the map by more than its loops may be, see OutlierOptions, is none.
 struct LastLookOptions {
   int num_nodes = 0;              ///< that are searched in a submap of the same place; 0: off
   double min_score_factor = 1.0;  ///< of the score that a loop must beat otherwise
@@ -32,5 +33,8 @@ double MinScoreOfLastLook(double min_loop_score, const PointCloud& points_in_nod
 double RelativeScoreOfKnown(const PointCloud& points_in_node, const Pose2& submap_from_node,
                             const Pose2& submap_from_node_winner, const ProbabilityGrid& grid,
                             const LastLookOptions& options);
+
+/// By how much a loop is off where the map had the node: the residual of eq. 5 [m, m, rad] there.
+Eigen::Vector3d ResidualAtGuess(const LoopCandidate& found);
 
 }  // namespace loopscope

@@ -15,7 +15,7 @@ enum class Verdict {
   kNotSampled,  ///< skipped by sampling_ratio
   kBelowMinScore,  ///< no pose of the window scored min_score
   kAmbiguous,      ///< another place in the window matches nearly as well
-  kInconsistent,   ///< too few other loops agree with it
+  kInconsistent,   ///< too few other loops agree with it, or, in a last look, the map does not
   kAccepted,       ///< INTER_SUBMAP constraint
   kFromBehind,     ///< it lies on walls that the submap knows from the other side only
 };

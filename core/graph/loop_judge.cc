@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/graph/loop_judge.h"
 
+#include "core/graph/last_look.h"
 #include "core/graph/outliers.h"
-#include "core/graph/spa_cost.h"
 
 namespace loopscope {
 namespace {
@@ -42,15 +42,11 @@ std::vector<const LoopCandidate*> LoopJudge::LoneLoops(
 
 void LoopJudge::RejectInconsistent(const GraphState& graph,
                                    std::vector<LoopCandidate>* candidates) const {
-  if (consistency_.min_num_supporters == 0) return;
   const LoopDrifts drifts = DriftsOf(graph, *candidates);
   for (LoopCandidate& candidate : *candidates) {
     if (candidate.verdict != Verdict::kAccepted) continue;
     candidate.num_supporters = NumSupportersOf(graph, candidate, drifts);
-    if (candidate.num_supporters < MinNumSupporters(candidate, consistency_) &&
-        !MapAgreesWith(graph, candidate)) {
-      candidate.verdict = Verdict::kInconsistent;
-    }
+    if (!IsConsistent(candidate)) candidate.verdict = Verdict::kInconsistent;
   }
 }
 
@@ -67,11 +63,9 @@ int LoopJudge::NumSupportersOf(const GraphState& graph, const LoopCandidate& loo
   return NumSupporters(drift, near, consistency_);
 }
 
-bool LoopJudge::MapAgreesWith(const GraphState& graph, const LoopCandidate& loop) const {
-  const Eigen::Vector3d residual =
-      SpaError(loop.submap_from_node, graph.global_from_submap[loop.submap.index],
-               graph.global_from_node[loop.node.index]);
-  return loop.last_look && !IsOutlier(residual, outliers_);
+bool LoopJudge::IsConsistent(const LoopCandidate& loop) const {
+  if (loop.last_look) return !IsOutlier(ResidualAtGuess(loop), outliers_);
+  return loop.num_supporters >= MinNumSupporters(loop, consistency_);
 }
 
 }  // namespace loopscope

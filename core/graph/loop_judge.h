@@ -23,8 +23,8 @@ class LoopJudge {
                                               const std::vector<LoopCandidate>& candidates) const;
 
   /// Turns the verdict on accepted candidates that too few others agree with, of those found with
-  /// them and of those believed before. For those of a last look it is enough that the optimized
-  /// map does.
+  /// them and of those believed before. With those of a last look the optimized map has to agree
+  /// instead: what it was not told until then is not worth a wall that is somewhat like another.
   void RejectInconsistent(const GraphState& graph, std::vector<LoopCandidate>* candidates) const;
 
   /// Takes an accepted candidate for one that others are judged by.
@@ -35,7 +35,7 @@ class LoopJudge {
  private:
   int NumSupportersOf(const GraphState& graph, const LoopCandidate& loop,
                       const LoopDrifts& found) const;
-  bool MapAgreesWith(const GraphState& graph, const LoopCandidate& loop) const;
+  bool IsConsistent(const LoopCandidate& loop) const;
 
   LoopConsistencyOptions consistency_;
   OutlierOptions outliers_;

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/graph/drift_share.h"
+#include "core/graph/last_look.h"
 #include "core/graph/loop_search.h"
 #include "core/graph/spa_cost.h"
 
@@ -31,6 +32,11 @@ std::string PlaceText(const LoopCandidate& best) {
   return fmt::format("the best place scores {:.3f}, {:.2f} m and {:.1f} deg from the estimate",
                      best.score, moved.translation.norm(),
                      RadiansToDegrees(std::abs(NormalizeAngle(moved.rotation))));
+}
+
+std::string ResidualText(const Eigen::Vector3d& residual) {
+  return fmt::format("{:.3f} m, {:.2f} deg", residual.head<2>().norm(),
+                     RadiansToDegrees(std::abs(residual.z())));
 }
 
 /// Collects checks until one fails.
@@ -183,20 +189,32 @@ LoopCheck WallSidesCheck(const Recording& recording, const LoopCandidate& candid
           candidate.verdict != Verdict::kFromBehind};
 }
 
-LoopCheck ConsistencyCheck(const LoopCandidate& candidate, const LoopConsistencyOptions& options) {
+LoopCheck ConsistencyCheck(const LoopCandidate& candidate, const PoseGraphOptions& options) {
+  const bool is_consistent = candidate.verdict != Verdict::kInconsistent;
+  if (candidate.last_look) {
+    const OutlierOptions& outliers = options.optimization_problem.outliers;
+    return {"off the optimized map", ResidualText(ResidualAtGuess(candidate)),
+            outliers.max_distance > 0.0
+                ? fmt::format("at most {} m, {:.2f} deg", outliers.max_distance,
+                              RadiansToDegrees(outliers.max_angle))
+                : "",
+            is_consistent};
+  }
   return {"other nodes with loops that agree", std::to_string(candidate.num_supporters),
-          fmt::format("at least {}{}", MinNumSupporters(candidate, options),
-                      candidate.last_look ? ", or the optimized map" : ""),
-          candidate.verdict != Verdict::kInconsistent};
+          fmt::format("at least {}",
+                      MinNumSupporters(candidate, options.constraint_builder.consistency)),
+          is_consistent};
+}
+
+std::string InconsistentAnswer(const LoopCandidate& candidate) {
+  return candidate.last_look
+             ? "Not closed: it matched, but too far from where the optimized map has it."
+             : "Not closed: it matched, but too few loops of other nodes say the same.";
 }
 
 LoopCheck ResidualCheck(const Recording& recording, const LoopCandidate& candidate) {
   const MapState state = StateAfterStep(recording, recording.num_steps() - 1);
-  const Eigen::Vector3d residual = LoopResidual(state, candidate);
-  return {"residual at the end",
-          fmt::format("{:.3f} m, {:.2f} deg", residual.head<2>().norm(),
-                      RadiansToDegrees(std::abs(residual.z()))),
-          "", true};
+  return {"residual at the end", ResidualText(LoopResidual(state, candidate)), "", true};
 }
 
 }  // namespace
@@ -241,8 +259,8 @@ LoopExplanation ExplainLoop(const Recording& recording, SubmapId submap, NodeId 
                 "Not closed: a place beyond the window may match better.") ||
       !list.Add(WallSidesCheck(recording, *candidate, options.wall_sides),
                 "Not closed: it lies on the wrong side of walls.") ||
-      !list.Add(ConsistencyCheck(*candidate, options.consistency),
-                "Not closed: it matched, but too few loops of other nodes say the same.")) {
+      !list.Add(ConsistencyCheck(*candidate, recording.options().pose_graph),
+                InconsistentAnswer(*candidate))) {
     return list.explanation();
   }
   list.Add(ResidualCheck(recording, *candidate), "");
@@ -294,7 +312,7 @@ std::string ReasonOf(Verdict verdict) {
     case Verdict::kFromBehind:
       return "it lies on walls that the submap knows from the other side only";
     case Verdict::kInconsistent:
-      return "too few loops of other nodes say the same";
+      return "too few loops of other nodes say the same, or, in a last look, not the map";
     case Verdict::kAccepted:
       return "passed every gate";
   }

@@ -45,7 +45,8 @@ std::vector<Fact> ChecksOf(const SearchReplay& search, const ConstraintBuilderOp
                                                 100.0 * WallsOf(search).ShareFromBehind(),
                                                 100.0 * options.wall_sides.max_share_from_behind)});
   }
-  const bool was_compared = search.recorded && result.verdict == Verdict::kAccepted;
+  const bool was_compared =
+      search.recorded && result.verdict == Verdict::kAccepted && !search.candidate.last_look;
   if (was_compared && options.consistency.min_num_supporters > 0) {
     facts.push_back(
         {"nodes that agree", fmt::format("{}, at least {}", search.candidate.num_supporters,

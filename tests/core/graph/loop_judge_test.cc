@@ -8,6 +8,7 @@
 namespace loopscope {
 namespace {
 
+using ::testing::Each;
 using ::testing::ElementsAre;
 
 /// Where local SLAM has the robot, which drifts by this on the way round.
@@ -103,17 +104,23 @@ TEST(LoopJudge, AsksForOneFewerWhereTheScoreIsGood) {
   EXPECT_EQ(loops[0].verdict, Verdict::kAccepted);
 }
 
-TEST(LoopJudge, BelievesALoneLoopOfALastLookIfTheMapAgrees) {
-  GraphState graph = TwiceTheSameWay();
-  const auto verdict = [&](double map_is_off_by) {
-    std::vector<LoopCandidate> loops = {LoopOf(5)};
-    loops[0].last_look = true;
-    graph.global_from_node[5] = Pose2(map_is_off_by, 0.0, 0.0);
-    LoopJudge(Consistency(1), Outliers()).RejectInconsistent(graph, &loops);
-    return loops[0].verdict;
+TEST(LoopJudge, BelievesALastLookIfTheMapAgreesAndNotIfOtherLoopsDo) {
+  const LoopJudge judge(Consistency(2), Outliers());
+  const auto verdicts = [&](double map_is_off_by) {
+    std::vector<LoopCandidate> loops = {LoopOf(5), LoopOf(6), LoopOf(7)};
+    for (LoopCandidate& loop : loops) {
+      loop.last_look = true;
+      loop.submap_from_node_guess = loop.submap_from_node * Pose2(0.0, map_is_off_by, 0.0);
+    }
+    loops.push_back(LoopOf(8));
+    loops.back().last_look = true;
+    loops.back().submap_from_node_guess = loops.back().submap_from_node;
+    judge.RejectInconsistent(TwiceTheSameWay(), &loops);
+    return VerdictsOn(loops);
   };
-  EXPECT_EQ(verdict(0.29), Verdict::kAccepted);
-  EXPECT_EQ(verdict(0.31), Verdict::kInconsistent);
+  EXPECT_THAT(verdicts(0.29), Each(Verdict::kAccepted));
+  EXPECT_THAT(verdicts(0.31), ElementsAre(Verdict::kInconsistent, Verdict::kInconsistent,
+                                          Verdict::kInconsistent, Verdict::kAccepted));
 }
 
 TEST(LoopJudge, RejectsNothingIfNoSupportersAreAskedFor) {

@@ -14,6 +14,8 @@ namespace loopscope {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
 
 const Recording& SmallLoop() {
   static const Recording* const recording =
@@ -150,6 +152,23 @@ TEST(ExplainLoop, NamesTheMissingSupporters) {
   Options options = SmallLoopOptions();
   options.pose_graph.constraint_builder.consistency.min_num_supporters = 1000;
   EXPECT_EQ(FailedCheck(options, Verdict::kInconsistent).expected, "at least 1000");
+}
+
+TEST(ExplainLoop, TellsHowFarALastLookIsFromTheMap) {
+  Options options = SmallLoopOptions();
+  options.pose_graph.optimization_problem.outliers.max_distance = 0.01;
+  const Recording recording = MapLog(SimulateSmallLoop().log, options);
+  int num_refused = 0;
+  for (const LoopCandidate& pair : recording.candidates()) {
+    if (!pair.last_look || pair.verdict != Verdict::kInconsistent) continue;
+    const LoopExplanation explanation = ExplainLoop(recording, pair.submap, pair.node);
+    EXPECT_THAT(explanation.answer, HasSubstr("where the optimized map has it"));
+    EXPECT_EQ(explanation.checks.back().what, "off the optimized map");
+    EXPECT_EQ(explanation.checks.back().expected, "at most 0.01 m, 3.00 deg");
+    EXPECT_THAT(explanation.checks.back().value, Not(StartsWith("0.00")));
+    ++num_refused;
+  }
+  EXPECT_GT(num_refused, 0);
 }
 
 TEST(ExplainLoop, TellsHowManyReturnsLieOnWallsFromBehind) {
