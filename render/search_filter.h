@@ -15,4 +15,7 @@ struct SearchFilter {
   bool empty() const { return !num_visits && !height && !angle_index; }
 };
 
+/// Whether the search view has room for how the scan lies on the walls.
+inline bool ShowsCloseUp(const SearchFilter& filter) { return !filter.height; }
+
 }  // namespace loopscope

@@ -80,7 +80,8 @@ std::optional<Finding> FindBlock(const SearchPart& part, const std::vector<int>&
 std::optional<Finding> FindIn(const SearchThings& things, int panel, const Eigen::Vector2d& point) {
   const SearchTrace& trace = things.search->trace;
   const int num_levels = static_cast<int>(things.levels.size());
-  if (panel == 0) {
+  const bool is_close_up = panel == num_levels + 1 && ShowsCloseUp(things.part.filter());
+  if (panel == 0 || is_close_up) {
     return Finding{std::nullopt, things.search->candidate.submap,
                    CellFacts(things.search->grid, point)};
   }

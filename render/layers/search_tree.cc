@@ -39,14 +39,22 @@ Color FillOf(const SearchPart& part, int node, const BoundRange& range, const Pa
   return part.WasPruned(node) ? WithOpacity(color, kPrunedOpacity) : color;
 }
 
-/// A search begins with the highest nodes.
-int NumHeights(const SearchTrace& trace) {
+/// From a node to its children; more than there are if none was branched.
+int HeightsPerBranch(const SearchTrace& trace) {
+  const auto child = std::find_if(trace.nodes.begin(), trace.nodes.end(),
+                                  [](const SearchNode& node) { return node.parent >= 0; });
+  if (child != trace.nodes.end()) return trace.nodes[child->parent].height - child->height;
   return trace.nodes.empty() ? 1 : trace.nodes.front().height + 1;
+}
+
+/// A search begins with the highest nodes.
+int NumLevels(const SearchTrace& trace) {
+  return trace.nodes.empty() ? 1 : trace.nodes.front().height / HeightsPerBranch(trace) + 1;
 }
 
 /// Of a field of AnglesLayer.
 Eigen::Vector2d FieldSize(const SearchTrace& trace, double aspect) {
-  return {aspect / (2 * trace.window.num_angular_steps + 1), 1.0 / NumHeights(trace)};
+  return {aspect / (2 * trace.window.num_angular_steps + 1), 1.0 / NumLevels(trace)};
 }
 
 std::vector<Eigen::Vector2d> CornersOf(const Extent& extent) {
@@ -133,7 +141,8 @@ std::vector<Extent> PrunedBlocks(const SearchPart& part, const SearchLevel& leve
 
 Extent FieldOf(const SearchNode& node, const SearchTrace& trace, double aspect) {
   const Eigen::Vector2d size = FieldSize(trace, aspect);
-  const Eigen::Vector2d place(node.angle_index + trace.window.num_angular_steps, node.height);
+  const Eigen::Vector2d place(node.angle_index + trace.window.num_angular_steps,
+                              node.height / HeightsPerBranch(trace));
   const Eigen::Vector2d min = size.cwiseProduct(place);
   return Extent(min, min + size);
 }

@@ -58,9 +58,10 @@ vtkSmartPointer<vtkActor> BlocksLayer(const SearchPart& part, const SearchLevel&
 /// The blocks of a level that were pruned.
 std::vector<Extent> PrunedBlocks(const SearchPart& part, const SearchLevel& level);
 
-/// All of the tree by angle: a column for each angle of the window, a row for each height, the
-/// lowest one at the bottom. Each field stands for the node there that says most, drawn as a block.
-/// The fields fill [0, `aspect`] x [0, 1]. An angle that the filter asks for is only one of them.
+/// All of the tree by angle: a column for each angle of the window, a row for each height that it
+/// has nodes at, the lowest one at the bottom. Each field stands for the node there that says most,
+/// drawn as a block. The fields fill [0, `aspect`] x [0, 1]. An angle that the filter asks for is
+/// only one of them.
 vtkSmartPointer<vtkActor> AnglesLayer(const SearchPart& part, const BoundRange& range,
                                       double aspect, const Palette& palette);
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Loopscope Authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 
@@ -13,6 +14,7 @@
 #include "render/layers/scan.h"
 #include "render/layers/search_tree.h"
 #include "render/number_text.h"
+#include "render/views/close_up.h"
 #include "render/views/grids.h"
 #include "render/views/search_facts.h"
 #include "render/views/selection.h"
@@ -103,35 +105,50 @@ std::optional<Pose2> BestPose(const SearchReplay& search, const SearchPart& part
 }
 
 void DrawScan(const SearchReplay& search, const Pose2& submap_from_node, const Color& color,
-              Sheet* sheet) {
-  sheet->Add(0, LayerKind::kScan, [&] {
+              int panel, Sheet* sheet) {
+  sheet->Add(panel, LayerKind::kScan, [&] {
     return ScanLayer(search.scan.returns, submap_from_node, color, sheet->Px(widths::kScanPoint));
   });
-  sheet->Add(0, LayerKind::kRobot, [&] {
-    return RobotLayer(submap_from_node, sheet->Meters(0, 1.5 * widths::kMark),
-                      sheet->Meters(0, widths::kThin), color);
+  sheet->Add(panel, LayerKind::kRobot, [&] {
+    return RobotLayer(submap_from_node, sheet->Meters(panel, 1.5 * widths::kMark),
+                      sheet->Meters(panel, widths::kThin), color);
   });
 }
 
-void DrawMap(const SearchReplay& search, const SearchPart& part, const MapColors& colors,
+void DrawMap(const SearchReplay& search, const SearchPart& part, const MapColors& colors, int panel,
              Sheet* sheet) {
   const Palette& palette = sheet->palette();
-  sheet->Add(0, LayerKind::kGrid, [&] {
+  sheet->Add(panel, LayerKind::kGrid, [&] {
     return CellImageLayer(GridImage(search.grid, colors), Pose2(), search.grid.resolution());
   });
-  sheet->Add(0, LayerKind::kWindow, [&] {
+  sheet->Add(panel, LayerKind::kWindow, [&] {
     return OutlineLayer(WindowExtent(search.trace.window), palette.window,
                         sheet->Px(widths::kLine));
   });
-  DrawScan(search, search.candidate.submap_from_node_guess, palette.prior, sheet);
+  DrawScan(search, search.candidate.submap_from_node_guess, palette.prior, panel, sheet);
   const std::optional<Pose2> best = BestPose(search, part);
-  if (best) DrawScan(search, *best, palette.winner, sheet);
-  if (ShowsRival(search, part)) DrawScan(search, *search.submap_from_rival, palette.rival, sheet);
+  if (best) DrawScan(search, *best, palette.winner, panel, sheet);
+  if (ShowsRival(search, part)) {
+    DrawScan(search, *search.submap_from_rival, palette.rival, panel, sheet);
+  }
   if (!ShowsWalls(search, part)) return;
-  sheet->Add(0, LayerKind::kScan, [&] {
+  sheet->Add(panel, LayerKind::kScan, [&] {
     return ScanLayer(WallsOf(search).from_behind, Pose2(), palette.from_behind,
                      sheet->Px(1.5 * widths::kScanPoint));
   });
+}
+
+/// Where most of the scan lies at the best pose, large enough to see how far that is from the
+/// guess.
+Extent CloseUpOf(const SearchReplay& search, const SearchPart& part) {
+  constexpr double kMinSize = 4.0;  // [m]
+  constexpr double kSizeInMoves = 3.0;
+  const Pose2& guess = search.candidate.submap_from_node_guess;
+  const Pose2 best = BestPose(search, part).value_or(guess);
+  const double moved = (best.translation - guess.translation).norm();
+  std::vector<PointOfInterest> returns;
+  for (const Eigen::Vector2d& point : search.scan.returns) returns.push_back({best * point, 1.0});
+  return SquareOfMostInterest(returns, std::max(kMinSize, kSizeInMoves * moved));
 }
 
 void DrawHatch(const std::vector<Extent>& areas, int panel, Sheet* sheet) {
@@ -189,7 +206,8 @@ void DrawAngles(const SearchPart& part, const BoundRange& range, Sheet* sheet) {
   const SearchWindow& window = trace.window;
   const double degrees = RadiansToDegrees(window.num_angular_steps * window.angular_step);
   const double aspect = sheet->OpenChart(
-      panel, {fmt::format("by angle, -{0:.0f}° to {0:.0f}°", degrees), "height 0 at the bottom"});
+      panel,
+      {fmt::format("by angle, -{0:.0f}° to {0:.0f}°", degrees), "the lowest height at the bottom"});
   const Palette& palette = sheet->palette();
   sheet->Add(panel, LayerKind::kTree, [&] { return AnglesLayer(part, range, aspect, palette); });
   DrawHatch(PrunedFields(part, aspect), panel, sheet);
@@ -214,9 +232,13 @@ std::vector<std::string> CaptionOf(const SearchPart& part, const SearchLevel& le
   return caption;
 }
 
-/// One large panel above that of the angles for a single height, else one for each.
+/// One large panel above that of the angles for a single height, else one for each and a close-up,
+/// of which two stand above the angles, and more in rows with them.
 Arrangement ArrangementOf(const SearchFilter& filter, int num_levels) {
-  return {num_levels + 1, 0.42, 2, filter.height ? 0.3 : 0.0};
+  constexpr double kMainShare = 0.42;
+  constexpr int kCaptionRows = 2;
+  if (!ShowsCloseUp(filter)) return {num_levels + 1, kMainShare, kCaptionRows, 0.3};
+  return {num_levels + 2, kMainShare, kCaptionRows, num_levels == 1 ? 0.5 : 0.0};
 }
 
 }  // namespace
@@ -238,13 +260,21 @@ Scene BuildSearchView(DerivedCache* cache, const ViewRequest& request, int overs
   Extent extent = ExtentOf(PlacedGrid{{kept, &search.grid}, Pose2()});
   extent.extend(WindowExtent(search.trace.window));
   sheet.Open(0, extent, colors.unknown, {"the submap and the window"});
-  DrawMap(search, part, colors, &sheet);
+  DrawMap(search, part, colors, 0, &sheet);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const int panel = static_cast<int>(i) + 1;
     const Extent blocks = ExtentOfHeight(search.trace, levels[i].height);
     sheet.Open(panel, blocks.merged(WindowExtent(search.trace.window)), palette.paper,
                CaptionOf(part, levels[i]));
     DrawLevel(search, part, levels[i], range, panel, &sheet);
+  }
+  if (ShowsCloseUp(request.search)) {
+    const int panel = static_cast<int>(levels.size()) + 1;
+    sheet.Open(panel, CloseUpOf(search, part), colors.unknown, {"where most returns are"});
+    DrawMap(search, part, colors, panel, &sheet);
+    sheet.Add(0, LayerKind::kWindow, [&] {
+      return OutlineLayer(sheet.Visible(panel), palette.ink, sheet.Px(widths::kThin));
+    });
   }
   DrawAngles(part, range, &sheet);
   return sheet.Finish();

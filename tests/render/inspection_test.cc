@@ -270,6 +270,20 @@ TEST(InspectorTest, CountsOnlyThePosesOfABlockThatAreInTheWindow) {
   EXPECT_EQ(ValueOf(*finding, "poses"), std::to_string(across * across));
 }
 
+TEST(InspectorTest, TellsOfTheCellsInTheCloseUpOfASearch) {
+  ViewRequest request = RequestFor(ViewKind::kSearch);
+  request.node = NodeId{122};
+  request.submap = SubmapId{1};
+  const auto search = ReplaySearch(SmallLoop(), SubmapId{1}, NodeId{122});
+  const int close_up = static_cast<int>(LevelsOf(SearchPart(search->trace)).size()) + 1;
+  const Eigen::Vector2d at_winner = search->result.submap_from_node * search->scan.returns.front();
+  const auto finding = InspectorFor(request).WhatIsAt(close_up, at_winner, 0.0);
+  ASSERT_TRUE(finding);
+  EXPECT_EQ(finding->submap, request.submap);
+  request.search.height = 0;  // one level, and no close-up
+  EXPECT_FALSE(InspectorFor(request).WhatIsAt(2, {100.0, 100.0}, 0.0));
+}
+
 TEST(InspectorTest, FindsTheFieldOfAnAngleInTheChart) {
   ViewRequest request = RequestFor(ViewKind::kSearch);
   request.node = NodeId{122};

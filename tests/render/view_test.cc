@@ -174,7 +174,7 @@ TEST(BuildSceneTest, OneHeightOfASearchHasAPanelBetweenMapAndAngles) {
   const Scene all = BuildScene(SmallLoop(), request);
   request.search.height = 3;
   const Scene one = BuildScene(SmallLoop(), request);
-  EXPECT_EQ(all.panels.size(), 4u);
+  EXPECT_EQ(all.panels.size(), 5u);
   ASSERT_EQ(one.panels.size(), 3u);
   EXPECT_GT(one.panels[1].frame.height, all.panels[1].frame.height);
   EXPECT_LT(one.panels[2].frame.top(), one.panels[1].frame.bottom);

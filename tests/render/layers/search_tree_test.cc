@@ -154,10 +154,14 @@ TEST(AnglesLayerTest, HasAFieldForEachAngleAndHeightThatSaysMost) {
 TEST(AnglesLayerTest, PutsFieldsSideBySideFromTheLowestAngleAndHeight) {
   const SearchTrace trace = SmallTrace();
   const Extent low = FieldOf(trace.nodes[4], trace, 3.0);
-  EXPECT_TRUE(low.center().isApprox(Eigen::Vector2d(1.5, 0.5 / 3.0)));
-  EXPECT_TRUE(low.sizes().isApprox(Eigen::Vector2d(1.0, 1.0 / 3.0)));
+  EXPECT_TRUE(low.center().isApprox(Eigen::Vector2d(1.5, 0.25)));
+  EXPECT_TRUE(low.sizes().isApprox(Eigen::Vector2d(1.0, 0.5)));
   const Extent high = FieldOf(trace.nodes[1], trace, 3.0);
-  EXPECT_TRUE(high.center().isApprox(Eigen::Vector2d(2.5, 2.5 / 3.0)));
+  EXPECT_TRUE(high.center().isApprox(Eigen::Vector2d(2.5, 0.75)));
+  SearchTrace unbranched = trace;
+  unbranched.nodes.resize(1);
+  EXPECT_TRUE(
+      FieldOf(unbranched.nodes[0], unbranched, 3.0).sizes().isApprox(Eigen::Vector2d(1, 1)));
   const Extent column = ColumnOf(1, trace, 3.0);
   EXPECT_TRUE(column.min().isApprox(Eigen::Vector2d(2.0, 0.0)));
   EXPECT_TRUE(column.max().isApprox(Eigen::Vector2d(3.0, 1.0)));
