@@ -39,12 +39,12 @@ Color FillOf(const SearchPart& part, int node, const BoundRange& range, const Pa
   return part.WasPruned(node) ? WithOpacity(color, kPrunedOpacity) : color;
 }
 
-/// From a node to its children; more than there are if none was branched.
+/// From a node to its children, of which the last node is one; more than there are if none was
+/// branched.
 int HeightsPerBranch(const SearchTrace& trace) {
-  const auto child = std::find_if(trace.nodes.begin(), trace.nodes.end(),
-                                  [](const SearchNode& node) { return node.parent >= 0; });
-  if (child != trace.nodes.end()) return trace.nodes[child->parent].height - child->height;
-  return trace.nodes.empty() ? 1 : trace.nodes.front().height + 1;
+  if (trace.nodes.empty()) return 1;
+  const SearchNode& last = trace.nodes.back();
+  return last.parent < 0 ? last.height + 1 : trace.nodes[last.parent].height - last.height;
 }
 
 /// A search begins with the highest nodes.

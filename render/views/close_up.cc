@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/grid/cell.h"
+#include "render/layers/outline.h"
 
 namespace loopscope {
 namespace {
@@ -40,6 +41,12 @@ Extent SquareOfMostInterest(const std::vector<PointOfInterest>& points, double s
 Extent SquareAround(const Eigen::Vector2d& center, double size) {
   const Eigen::Vector2d half(0.5 * size, 0.5 * size);
   return Extent(center - half, center + half);
+}
+
+void OutlineCloseUp(int panel, Sheet* sheet) {
+  sheet->Add(0, LayerKind::kWindow, [&] {
+    return OutlineLayer(sheet->Visible(panel), sheet->palette().ink, sheet->Px(widths::kThin));
+  });
 }
 
 }  // namespace loopscope

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "render/scene.h"
+#include "render/views/sheet.h"
 
 namespace loopscope {
 
@@ -22,5 +23,8 @@ Extent SquareOfMostInterest(const std::vector<PointOfInterest>& points, double s
 
 /// The square of edge `size` [m] around `center`.
 Extent SquareAround(const Eigen::Vector2d& center, double size);
+
+/// Shows in panel 0 what is seen in `panel`, which must be open.
+void OutlineCloseUp(int panel, Sheet* sheet);
 
 }  // namespace loopscope

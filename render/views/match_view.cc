@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "core/slam/derive.h"
-#include "render/layers/outline.h"
 #include "render/layers/robot.h"
 #include "render/layers/scan.h"
 #include "render/number_text.h"
@@ -145,8 +144,7 @@ Scene BuildMatchView(const Recording& recording, const ViewRequest& request, int
   DrawPanel(match, places, colors, widths::kScanPoint, 0, &sheet);
   DrawPanel(match, places, colors, 2.5 * widths::kScanPoint, 1, &sheet);
   DrawPanel(match, places, colors, 2.5 * widths::kScanPoint, 2, &sheet);
-  sheet.Add(0, LayerKind::kWindow,
-            [&] { return OutlineLayer(sheet.Visible(1), palette.ink, sheet.Px(widths::kThin)); });
+  OutlineCloseUp(1, &sheet);
   return sheet.Finish();
 }
 

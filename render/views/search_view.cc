@@ -272,9 +272,7 @@ Scene BuildSearchView(DerivedCache* cache, const ViewRequest& request, int overs
     const int panel = static_cast<int>(levels.size()) + 1;
     sheet.Open(panel, CloseUpOf(search, part), colors.unknown, {"where most returns are"});
     DrawMap(search, part, colors, panel, &sheet);
-    sheet.Add(0, LayerKind::kWindow, [&] {
-      return OutlineLayer(sheet.Visible(panel), palette.ink, sheet.Px(widths::kThin));
-    });
+    OutlineCloseUp(panel, &sheet);
   }
   DrawAngles(part, range, &sheet);
   return sheet.Finish();

@@ -6,7 +6,6 @@
 
 #include "core/grid/scan_inserter.h"
 #include "core/slam/derive.h"
-#include "render/layers/outline.h"
 #include "render/layers/robot.h"
 #include "render/layers/scan.h"
 #include "render/views/close_up.h"
@@ -169,8 +168,7 @@ Scene BuildUpdateView(const Recording& recording, const ViewRequest& request, in
   sheet.Open(1, close_up, colors.unknown, {"before"});
   sheet.Open(2, close_up, colors.unknown, {"after"});
   DrawCells(update, colors, &sheet);
-  sheet.Add(0, LayerKind::kWindow,
-            [&] { return OutlineLayer(sheet.Visible(1), palette.ink, sheet.Px(widths::kThin)); });
+  OutlineCloseUp(1, &sheet);
   DrawOdds(update, update.before, 1, &sheet);
   DrawOdds(update, update.after, 2, &sheet);
   return sheet.Finish();

@@ -197,6 +197,8 @@ TEST(BuildSceneTest, ManyConstraintsHaveAThinnedStandInForTheMovingCamera) {
   EXPECT_EQ(count(large, LayerKind::kIntra, When::kAtRest), 1);
   EXPECT_EQ(count(large, LayerKind::kIntra, When::kMoving), 1);
   EXPECT_GE(count(large, LayerKind::kInter, When::kAlways), 1);
+  EXPECT_EQ(count(large, LayerKind::kInter, When::kAtRest), 0);
+  EXPECT_EQ(count(large, LayerKind::kInter, When::kMoving), 0);
 }
 
 TEST(BuildSceneTest, ACacheChangesNoScene) {
