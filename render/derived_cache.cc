@@ -54,6 +54,7 @@ std::vector<DerivedCache::Grid> DerivedCache::GridsOfState(const MapState& state
     if (found == grids_.end()) missing.push_back(submap.index);
     grids.push_back(found == grids_.end() ? nullptr : found->second.grid);
   }
+  const double resolution = recording_.options().trajectory_builder_2d.submaps.grid_resolution;
   const std::vector<Row> rows = RowsOf(missing);
   ParallelFor(static_cast<int>(rows.size()), [&](int i) {
     const Row& row = rows[i];
@@ -65,8 +66,7 @@ std::vector<DerivedCache::Grid> DerivedCache::GridsOfState(const MapState& state
       const auto earlier = EarlierOf(key);
       begins.push_back(earlier ? earlier->first : 0);
       ends.push_back(key.second);
-      derived.push_back(earlier ? *earlier->second
-                                : GridOfSubmap(recording_, SubmapId{key.first}, 0));
+      derived.push_back(earlier ? *earlier->second : ProbabilityGrid(resolution));
     }
     GrowGrids(recording_, SubmapId{row.first}, begins, ends, &derived);
     for (int k = 0; k < row.count; ++k) {

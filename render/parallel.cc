@@ -16,6 +16,7 @@ void ParallelFor(int count, const std::function<void(int)>& work) {
     for (int i = next++; i < count; i = next++) work(i);
   };
   const int num_workers = std::min<int>(count, std::max(1u, std::thread::hardware_concurrency()));
+  if (num_workers == 1) return worker();
   std::vector<std::future<void>> workers;
   for (int i = 0; i < num_workers; ++i) workers.push_back(std::async(std::launch::async, worker));
   for (std::future<void>& each : workers) each.wait();

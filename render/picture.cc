@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/picture.h"
 
-#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPNGReader.h>
-#include <vtkPNGWriter.h>
-#include <vtkUnsignedCharArray.h>
+#include <memory>
+#include <png.h>
+#include <stdexcept>
 
 #include "core/io/file_error.h"
 #include "core/io/replace_file.h"
@@ -16,14 +16,24 @@
 namespace loopscope {
 namespace {
 
-// VTK's images begin with the lowest row.
-
-void CopyRows(const std::uint8_t* from, int width, int height, std::uint8_t* to) {
-  const std::size_t row = 3 * static_cast<std::size_t>(width);
-  for (int y = 0; y < height; ++y) {
-    std::copy_n(from + y * row, row, to + (height - 1 - y) * row);
+/// What libpng knows of an image while it reads or writes it.
+class PngImage {
+ public:
+  PngImage() {
+    std::memset(&image_, 0, sizeof(image_));
+    image_.version = PNG_IMAGE_VERSION;
   }
-}
+  ~PngImage() { png_image_free(&image_); }
+
+  PngImage(const PngImage&) = delete;
+  PngImage& operator=(const PngImage&) = delete;
+
+  png_image* get() { return &image_; }
+  png_image* operator->() { return &image_; }
+
+ private:
+  png_image image_;
+};
 
 }  // namespace
 
@@ -32,20 +42,23 @@ bool operator==(const Picture& a, const Picture& b) {
 }
 
 std::string EncodePng(const Picture& picture) {
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(picture.width, picture.height, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  CopyRows(picture.rgb.data(), picture.width, picture.height,
-           static_cast<std::uint8_t*>(image->GetScalarPointer()));
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(image);
-  writer->SetCompressionLevel(4);
-  writer->WriteToMemoryOn();
-  writer->Write();
-  const vtkUnsignedCharArray* const bytes = writer->GetResult();
-  const char* const begin =
-      reinterpret_cast<const char*>(const_cast<vtkUnsignedCharArray*>(bytes)->GetPointer(0));
-  return std::string(begin, begin + bytes->GetNumberOfValues());
+  PngImage image;
+  image->width = static_cast<png_uint_32>(picture.width);
+  image->height = static_cast<png_uint_32>(picture.height);
+  image->format = PNG_FORMAT_RGB;
+  // Without filters, which make files of drawings larger.
+  image->flags = PNG_IMAGE_FLAG_FAST;
+  char* bytes = nullptr;
+  std::size_t size = 0;
+  std::FILE* const stream = open_memstream(&bytes, &size);
+  if (stream == nullptr) throw std::bad_alloc();
+  const bool is_written =
+      png_image_write_to_stdio(image.get(), stream, /*convert_to_8bit=*/0, picture.rgb.data(),
+                               /*row_stride=*/0, /*colormap=*/nullptr) != 0;
+  std::fclose(stream);
+  const std::unique_ptr<char, decltype(&std::free)> owner(bytes, &std::free);
+  if (!is_written) throw std::runtime_error(std::string("PNG: ") + image->message);
+  return std::string(bytes, size);
 }
 
 void WritePng(const Picture& picture, const std::string& path) {
@@ -53,22 +66,21 @@ void WritePng(const Picture& picture, const std::string& path) {
 }
 
 Picture ReadPng(const std::string& path) {
-  vtkNew<vtkPNGReader> reader;
-  if (!std::filesystem::is_regular_file(path) || !reader->CanReadFile(path.c_str())) {
-    throw FileError(path, "expected a PNG image");
-  }
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  vtkImageData* const image = reader->GetOutput();
-  if (image->GetScalarType() != VTK_UNSIGNED_CHAR || image->GetNumberOfScalarComponents() != 3) {
+  PngImage image;
+  const bool is_png = std::filesystem::is_regular_file(path) &&
+                      png_image_begin_read_from_file(image.get(), path.c_str()) != 0;
+  if (!is_png) throw FileError(path, "expected a PNG image");
+  if (image->format != PNG_FORMAT_RGB) {
     throw FileError(path, "expected a PNG image with 8 bit RGB pixels");
   }
   Picture picture;
-  picture.width = image->GetDimensions()[0];
-  picture.height = image->GetDimensions()[1];
-  picture.rgb.resize(3 * static_cast<std::size_t>(picture.width) * picture.height);
-  CopyRows(static_cast<const std::uint8_t*>(image->GetScalarPointer()), picture.width,
-           picture.height, picture.rgb.data());
+  picture.width = static_cast<int>(image->width);
+  picture.height = static_cast<int>(image->height);
+  picture.rgb.resize(PNG_IMAGE_SIZE(*image.get()));
+  if (png_image_finish_read(image.get(), /*background=*/nullptr, picture.rgb.data(),
+                            /*row_stride=*/0, /*colormap=*/nullptr) == 0) {
+    throw FileError(path, std::string("damaged PNG: ") + image->message);
+  }
   return picture;
 }
 

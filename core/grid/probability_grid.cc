@@ -21,10 +21,13 @@ void ProbabilityGrid::GrowToInclude(const CellBox& box) {
   cells_ = std::move(cells);
 }
 
-void ProbabilityGrid::Update(const std::vector<CellIndex>& cells, const OddsUpdate& update) {
+void ProbabilityGrid::Update(const std::vector<CellIndex>& cells, const OddsUpdate& update,
+                             CellIndex origin) {
+  CellBox box = box_;
+  box.min = {box_.min.x + origin.x, box_.min.y + origin.y};
   for (const CellIndex cell : cells) {
-    assert(box_.Contains(cell));
-    CellValue& value = cells_[box_.FlatIndex(cell)];
+    assert(box.Contains(cell));
+    CellValue& value = cells_[box.FlatIndex(cell)];
     value = update(value);
   }
 }

@@ -41,8 +41,9 @@ class ProbabilityGrid {
   /// Makes room for `box`. Throws std::length_error if that has more than kMaxNumCells.
   void GrowToInclude(const CellBox& box);
 
-  /// Applies one observation to each of `cells`, which the box must hold.
-  void Update(const std::vector<CellIndex>& cells, const OddsUpdate& update);
+  /// Applies one observation to each of `cells`, which the box must hold. They are on a lattice on
+  /// which `origin` is this one's cell (0, 0).
+  void Update(const std::vector<CellIndex>& cells, const OddsUpdate& update, CellIndex origin = {});
 
  private:
   double resolution_;

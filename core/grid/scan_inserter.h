@@ -21,8 +21,9 @@ class ScanInserter {
  public:
   explicit ScanInserter(const ScanInserterOptions& options);
 
-  /// `cells` are on the lattice of `grid`, which grows as needed.
-  void Insert(const ScanCells& cells, ProbabilityGrid* grid) const;
+  /// `cells` are on a lattice on which `origin` is the cell (0, 0) of `grid`, which grows as
+  /// needed.
+  void Insert(const ScanCells& cells, ProbabilityGrid* grid, CellIndex origin = {}) const;
 
  private:
   ScanInserterOptions options_;

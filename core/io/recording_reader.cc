@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <sqlite3.h>
 #include <utility>
 #include <vector>
@@ -30,14 +31,17 @@ constexpr std::size_t kMaxCandidatesOfPair = 16;
 constexpr std::size_t kMaxBytesOfPose = 30;
 constexpr std::size_t kMaxBytesOfColumns = 100;
 
+SQLite::Database OpenDatabase(const std::string& path) {
+  // Writing is for SQLite, if a killed process left a journal to be undone.
+  SQLite::Database database(path, SQLite::OPEN_READWRITE, /*aBusyTimeoutMs=*/5000);
+  sqlite3_limit(database.getHandle(), SQLITE_LIMIT_LENGTH, static_cast<int>(kMaxChunkSize));
+  return database;
+}
+
 /// Reads a recording from an open file.
 class Reader {
  public:
-  explicit Reader(const std::string& path)
-      // Writing is for SQLite, if a killed process left a journal to be undone.
-      : path_(path), database_(path, SQLite::OPEN_READWRITE, /*aBusyTimeoutMs=*/5000) {
-    sqlite3_limit(database_.getHandle(), SQLITE_LIMIT_LENGTH, static_cast<int>(kMaxChunkSize));
-  }
+  explicit Reader(const std::string& path) : path_(path), database_(OpenDatabase(path)) {}
 
   int Version() { return database_.execAndGet("PRAGMA user_version").getInt(); }
 
@@ -54,7 +58,11 @@ class Reader {
     // One transaction, so that a run that goes on beside us does not show in parts.
     const SQLite::Transaction transaction(database_);
     RequireTablesOnly();
-    Recording recording(ReadRecordedLog(path_, database_), ReadRecordedOptions(path_, database_));
+    // Half of the work, and never written to again.
+    std::future<ScanLog> log = std::async(std::launch::async, [this] {
+      SQLite::Database database = OpenDatabase(path_);
+      return ReadRecordedLog(path_, database);
+    });
     if (Version() < 3) {
       ReadUnpackedSteps();
     } else {
@@ -64,6 +72,7 @@ class Reader {
     ReadSubmaps();
     ReadCandidates();
     ReadOptimizations();
+    Recording recording(log.get(), ReadRecordedOptions(path_, database_));
     Append(&recording);
     if (next_node_ != nodes_.size() || next_submap_ != submaps_.size() ||
         next_candidates_ != candidates_.size() || next_optimization_ != optimizations_.size()) {

@@ -6,10 +6,12 @@
 
 namespace loopscope {
 
-ScanCells ToSubmapLattice(const ScanCells& cells_in_local, const Pose2& local_from_submap,
-                          double resolution) {
-  const CellIndex origin = CellOf(local_from_submap.translation, resolution);
-  ScanCells cells = cells_in_local;
+CellIndex OriginOfLattice(const Pose2& local_from_submap, double resolution) {
+  return CellOf(local_from_submap.translation, resolution);
+}
+
+ScanCells ToSubmapLattice(ScanCells cells, const Pose2& local_from_submap, double resolution) {
+  const CellIndex origin = OriginOfLattice(local_from_submap, resolution);
   for (std::vector<CellIndex>* list : {&cells.hits, &cells.misses}) {
     for (CellIndex& cell : *list) cell = {cell.x - origin.x, cell.y - origin.y};
   }
@@ -34,9 +36,8 @@ ActiveSubmaps::Insertion ActiveSubmaps::Insert(const Pose2& local_from_base,
       CastRays(Transform(local_from_base, range_data_in_base), options_.grid_resolution,
                options_.range_data_inserter.max_wall_gap);
   for (ActiveSubmap& submap : submaps_) {
-    inserter_.Insert(
-        ToSubmapLattice(cells_in_local, submap.local_from_submap, options_.grid_resolution),
-        &submap.grid);
+    inserter_.Insert(cells_in_local, &submap.grid,
+                     OriginOfLattice(submap.local_from_submap, options_.grid_resolution));
     ++submap.num_nodes;
   }
   if (submaps_.front().num_nodes == 2 * options_.num_range_data) {

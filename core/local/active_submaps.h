@@ -31,9 +31,11 @@ struct ActiveSubmap {
   int num_nodes = 0;
 };
 
-/// The cells, given on the lattice of the local frame, on that of a submap.
-ScanCells ToSubmapLattice(const ScanCells& cells_in_local, const Pose2& local_from_submap,
-                          double resolution);
+/// The cell of the lattice of the local frame that is (0, 0) on that of a submap.
+CellIndex OriginOfLattice(const Pose2& local_from_submap, double resolution);
+
+/// `cells` of the lattice of the local frame on that of a submap.
+ScanCells ToSubmapLattice(ScanCells cells, const Pose2& local_from_submap, double resolution);
 
 /// The two submaps into which scans are inserted: one that is half full and serves for matching,
 /// and the next one.

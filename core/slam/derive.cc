@@ -97,9 +97,9 @@ void GrowGrids(const Recording& recording, SubmapId first, const std::vector<int
         continue;
       }
       if (!cells_in_local) cells_in_local = LocalCellsOfNode(recording, node);
-      inserter.Insert(ToSubmapLattice(*cells_in_local, recording.submap(submap).local_from_submap,
-                                      options.grid_resolution),
-                      &(*grids)[i]);
+      inserter.Insert(
+          *cells_in_local, &(*grids)[i],
+          OriginOfLattice(recording.submap(submap).local_from_submap, options.grid_resolution));
     }
   }
 }

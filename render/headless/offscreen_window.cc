@@ -6,6 +6,7 @@
 #include <utility>
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLFramebufferObject.h>
+#include <vtkOpenGLState.h>
 
 namespace loopscope {
 
@@ -34,6 +35,30 @@ void OffscreenWindow::Open(std::unique_ptr<GlContext> context) {
   SetOffScreenRendering(true);
   OpenGLInit();
   if (!Initialized) throw std::runtime_error("OpenGL does not start: glewInit failed");
+}
+
+void OffscreenWindow::SetHasDepth(bool has_depth) {
+  if (has_depth == has_depth_) return;
+  has_depth_ = has_depth;
+  MakeCurrent();
+  RenderFramebuffer->ReleaseGraphicsResources(this);
+}
+
+void OffscreenWindow::Start() {
+  MakeCurrent();
+  if (!has_depth_ && RenderFramebuffer->GetFBOIndex() == 0) {
+    // VTK would make one with depth, and resizes the one that it finds.
+    constexpr int kNumColors = 1;
+    constexpr int kDepthBits = 0;
+    LastMultiSamples = MultiSamples;
+    vtkOpenGLState* const gl = GetState();
+    gl->PushFramebufferBindings();
+    RenderFramebuffer->PopulateFramebuffer(GetSize()[0], GetSize()[1], /*useTextures=*/true,
+                                           kNumColors, VTK_UNSIGNED_CHAR, has_depth_, kDepthBits,
+                                           MultiSamples, /*wantStencilAttachment=*/false);
+    gl->PopFramebufferBindings();
+  }
+  Superclass::Start();
 }
 
 void OffscreenWindow::MakeCurrent() {

@@ -20,6 +20,10 @@ class OffscreenWindow : public vtkGenericOpenGLRenderWindow {
   /// To be called once, before anything else. Throws std::runtime_error if OpenGL does not start.
   void Open(std::unique_ptr<GlContext> context);
 
+  /// Whether the next frames have a depth buffer, without which nothing hides what comes after it.
+  void SetHasDepth(bool has_depth);
+
+  void Start() override;
   void MakeCurrent() override;
   bool IsCurrent() override;
 
@@ -36,6 +40,7 @@ class OffscreenWindow : public vtkGenericOpenGLRenderWindow {
   void operator=(const OffscreenWindow&) = delete;
 
   std::unique_ptr<GlContext> context_;
+  bool has_depth_ = true;
 };
 
 }  // namespace loopscope

@@ -47,6 +47,13 @@ void BlendRows(const Ground& ground, const Scene& scene, int first, int last, co
   }
 }
 
+/// Whether one thing of the scene can hide another behind it. To fill a depth buffer takes longer
+/// than to draw a map.
+bool HasDepth(const Scene& scene) {
+  return std::any_of(scene.panels.begin(), scene.panels.end(),
+                     [](const Panel& panel) { return panel.side.has_value(); });
+}
+
 }  // namespace
 
 Painter::Painter(Backend backend) : window_(vtkSmartPointer<OffscreenWindow>::New()) {
@@ -57,6 +64,7 @@ Picture Painter::Draw(const Scene& scene) {
   Scene foreground = scene;
   const Ground ground(&foreground);
   window_->SetSize(scene.width, scene.height);
+  window_->SetHasDepth(HasDepth(scene));
   Show(foreground, window_);
   window_->Render();
   const Picture picture = Blend(ground, scene);

@@ -36,13 +36,19 @@ vtkSmartPointer<vtkPolyData> TexturedRectangle(const CellBox& box, const Pose2& 
 
 }  // namespace
 
-CellImage::CellImage(const CellBox& box) : box_(box) {
-  if (box.empty()) return;
-  image_ = vtkSmartPointer<vtkImageData>::New();
-  image_->SetDimensions(box.width, box.height, 1);
-  image_->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
-  pixels_ = static_cast<Color*>(image_->GetScalarPointer());
-  std::uninitialized_fill_n(pixels_, box.num_cells(), Color{0, 0, 0, 0});
+CellImage::CellImage(const CellBox& box) : CellImage(Unpainted(box)) {
+  if (!box.empty()) std::uninitialized_fill_n(pixels_, box.num_cells(), Color{0, 0, 0, 0});
+}
+
+CellImage CellImage::Unpainted(const CellBox& box) {
+  CellImage image;
+  image.box_ = box;
+  if (box.empty()) return image;
+  image.image_ = vtkSmartPointer<vtkImageData>::New();
+  image.image_->SetDimensions(box.width, box.height, 1);
+  image.image_->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  image.pixels_ = static_cast<Color*>(image.image_->GetScalarPointer());
+  return image;
 }
 
 vtkSmartPointer<vtkActor> CellImageLayer(const CellImage& image, const Pose2& target_from_grid,

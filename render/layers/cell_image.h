@@ -16,6 +16,8 @@ namespace loopscope {
 class CellImage {
  public:
   explicit CellImage(const CellBox& box);
+  /// Likewise, but each cell must be set before it is looked at.
+  static CellImage Unpainted(const CellBox& box);
   CellImage(CellImage&&) = default;
   CellImage& operator=(CellImage&&) = default;
 
@@ -33,6 +35,8 @@ class CellImage {
   bool IsShown() const { return image_ != nullptr && image_->GetReferenceCount() > 1; }
 
  private:
+  CellImage() = default;
+
   CellBox box_;
   vtkSmartPointer<vtkImageData> image_;
   Color* pixels_ = nullptr;  // of image_

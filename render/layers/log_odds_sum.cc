@@ -42,12 +42,21 @@ int TableIndex(float log_odds, float max_log_odds) {
   return std::clamp(static_cast<int>(share * (kTableSize - 1) + 0.5f), 0, kTableSize - 1);
 }
 
-/// Calls work(box) for boxes that are some rows of `area` each, several at a time.
+/// Calls work(box) for boxes that are `rows` of `area` each, several at a time.
 template <typename Work>
-void ForBandsOf(const CellBox& area, const Work& work) {
-  constexpr int kRows = 32;
-  ParallelFor((area.height + kRows - 1) / kRows, [&](int band) {
-    work(Intersection(area, {{area.min.x, area.min.y + band * kRows}, area.width, kRows}));
+void ForBandsOf(const CellBox& area, int rows, const Work& work) {
+  ParallelFor((area.height + rows - 1) / rows, [&](int band) {
+    work(Intersection(area, {{area.min.x, area.min.y + band * rows}, area.width, rows}));
+  });
+}
+
+constexpr int kRowsAtOnce = 32;
+
+/// Whether no cell is missed if the middle of each pixel is looked at: points no farther apart than
+/// a pixel's edge / sqrt(2) miss no pixel, and likewise with cells.
+bool ArePixelsSmall(const PlacedGrid* first, const PlacedGrid* last, const Raster& raster) {
+  return std::all_of(first, last, [&](const PlacedGrid& grid) {
+    return raster.pixel_size / grid.grid->resolution() < M_SQRT1_2;
   });
 }
 
@@ -190,6 +199,28 @@ CellBox PixelsOf(const PlacedGrid& grid, const Raster& raster) {
                       {{0, 0}, raster.width, raster.height});
 }
 
+CellBox PixelsOf(const PlacedGrid* first, const PlacedGrid* last, const Raster& raster) {
+  CellBox pixels;
+  for (; first != last; ++first) pixels = Union(pixels, PixelsOf(*first, raster));
+  return pixels;
+}
+
+CellImage LogOddsSum::PaintAll(const std::vector<PlacedGrid>& grids, const Raster& raster,
+                               const MapColors& colors) {
+  const PlacedGrid* const first = grids.data();
+  const PlacedGrid* const last = first + grids.size();
+  const CellBox area = PixelsOf(first, last, raster);
+  CellImage image = CellImage::Unpainted(area);
+  // Large pixels are found from the cells, of which each is looked at once for each band.
+  const int rows = ArePixelsSmall(first, last, raster) ? kRowsAtOnce : std::max(area.height, 1);
+  ForBandsOf(area, rows, [&](const CellBox& band) {
+    LogOddsSum sum(raster, band);
+    sum.Add(first, last);
+    sum.Paint(band, colors, &image);
+  });
+  return image;
+}
+
 LogOddsSum::LogOddsSum(const Raster& raster)
     : LogOddsSum(raster, {{0, 0}, raster.width, raster.height}) {}
 
@@ -216,11 +247,7 @@ LogOddsSum LogOddsSum::PartOf(const CellBox& area) const {
 }
 
 void LogOddsSum::Add(const PlacedGrid* first, const PlacedGrid* last) {
-  // Points no farther apart than a pixel's edge / sqrt(2) miss no pixel, and likewise with cells.
-  const bool small_pixels = std::all_of(first, last, [&](const PlacedGrid& grid) {
-    return raster_.pixel_size / grid.grid->resolution() < M_SQRT1_2;
-  });
-  small_pixels ? AddPixels(first, last) : AddCells(first, last);
+  ArePixelsSmall(first, last, raster_) ? AddPixels(first, last) : AddCells(first, last);
 }
 
 /// For small pixels: adds what the grids have beneath the middle of each.
@@ -230,7 +257,7 @@ void LogOddsSum::AddPixels(const PlacedGrid* first, const PlacedGrid* last) {
     pixels.push_back(Intersection(PixelsOf(*placed, raster_), area_));
     known_box_ = Union(known_box_, pixels.back());
   }
-  ForBandsOf(area_, [&](const CellBox& band) {
+  ForBandsOf(area_, kRowsAtOnce, [&](const CellBox& band) {
     for (std::size_t i = 0; i < pixels.size(); ++i) {
       AddPixelsOf(first[i], Intersection(pixels[i], band));
     }
@@ -284,7 +311,7 @@ void LogOddsSum::AddCells(const PlacedGrid* first, const PlacedGrid* last) {
 void LogOddsSum::Paint(const CellBox& area, const MapColors& colors, CellImage* image) const {
   const std::vector<Color> table = ColorTable(colors);
   const float max_log_odds = LogOddsTable().back();
-  ForBandsOf(area, [&](const CellBox& band) {
+  ForBandsOf(area, kRowsAtOnce, [&](const CellBox& band) {
     for (int y = band.min.y; y < band.min.y + band.height; ++y) {
       std::size_t i = IndexOf({band.min.x, y});
       for (int x = band.min.x; x < band.min.x + band.width; ++x, ++i) {

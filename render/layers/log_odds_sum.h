@@ -35,12 +35,21 @@ bool operator==(const Raster& a, const Raster& b);
 /// The pixels of the raster that known cells of `grid` may touch.
 CellBox PixelsOf(const PlacedGrid& grid, const Raster& raster);
 
+/// Holds the pixels of the raster that any grid from `first` to before `last` may touch, and those
+/// between.
+CellBox PixelsOf(const PlacedGrid* first, const PlacedGrid* last, const Raster& raster);
+
 /// The log odds of grids for pixels of a raster, summed (eq. 3). A grid has the highest odds of its
 /// known cells in a pixel.
 class LogOddsSum {
  public:
   /// Nothing yet for all pixels of `raster`.
   explicit LogOddsSum(const Raster& raster);
+
+  /// Paint for all pixels that any of `grids` may touch. Some rows after the others, so that the
+  /// sums take little memory.
+  static CellImage PaintAll(const std::vector<PlacedGrid>& grids, const Raster& raster,
+                            const MapColors& colors);
 
   /// What this has for the pixels of `area`, which the raster must hold.
   LogOddsSum PartOf(const CellBox& area) const;

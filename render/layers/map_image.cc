@@ -17,14 +17,6 @@ bool AreSame(const MapColors& a, const MapColors& b) {
   return a.free == b.free && a.occupied == b.occupied && a.unknown == b.unknown;
 }
 
-/// The pixels of the raster that any grid from `first` to before `last` may touch, and those
-/// between.
-CellBox PixelsOf(const PlacedGrid* first, const PlacedGrid* last, const Raster& raster) {
-  CellBox pixels;
-  for (; first != last; ++first) pixels = Union(pixels, PixelsOf(*first, raster));
-  return pixels;
-}
-
 }  // namespace
 
 /// The last image, and what it takes to make the next one of it.
@@ -101,11 +93,7 @@ std::shared_ptr<const CellImage> MapComposer::Compose(const std::vector<PlacedGr
                                                       const MapColors& colors) {
   if (!composed_) {
     composed_ = true;
-    LogOddsSum all(raster);
-    all.Add(grids.data(), grids.data() + grids.size());
-    auto image = std::make_shared<CellImage>(all.known_box());
-    all.Paint(all.known_box(), colors, image.get());
-    return image;
+    return std::make_shared<CellImage>(LogOddsSum::PaintAll(grids, raster, colors));
   }
   if (!memory_ || !memory_->HoldsFor(grids, raster, colors)) {
     memory_ = std::make_unique<MapMemory>(raster, colors);

@@ -42,6 +42,17 @@ TEST(ScanInserter, GrowsTheGridToTheBoxOfTheCells) {
   EXPECT_EQ(grid.box().height, 10);
 }
 
+TEST(ScanInserter, TakesCellsOfAnotherLattice) {
+  const ScanCells cells{
+      {{-27, 12}, {-27, 13}}, {{-30, 12}, {-29, 12}, {-28, 13}}, {{-30, 12}, 4, 2}};
+  ProbabilityGrid grid(0.05);
+  const ScanInserter inserter({0.7, 0.4, true});
+  inserter.Insert(cells, &grid, {-30, 12});
+  EXPECT_EQ(Draw(grid, kBox), ToText({"  47",  //
+                                      "44 7"}));
+  EXPECT_EQ(grid.box(), kBox);
+}
+
 TEST(ScanInserter, LeavesFreeSpaceUnknownIfToldSo) {
   ProbabilityGrid grid(0.05);
   ScanInserter({0.7, 0.4, false}).Insert(kCells, &grid);
