@@ -3,7 +3,9 @@
 #include "render/text.h"
 
 #include <filesystem>
+#include <iterator>
 #include <stdexcept>
+#include <utf8.h>
 #include <vtkStdString.h>
 #include <vtkTextRenderer.h>
 
@@ -50,6 +52,12 @@ vtkSmartPointer<vtkTextProperty> MakeTextProperty(const TextStyle& style, Align 
 std::mutex& FontLock() {
   static std::mutex lock;
   return lock;
+}
+
+std::string ToUtf8(const std::string& text) {
+  std::string valid;
+  utf8::replace_invalid(text.begin(), text.end(), std::back_inserter(valid));
+  return valid;
 }
 
 double TextWidth(const std::string& text, const TextStyle& style) {

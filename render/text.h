@@ -31,6 +31,10 @@ vtkSmartPointer<vtkTextProperty> MakeTextProperty(const TextStyle& style, Align 
 /// that measures on one thread and draws on another has to hold it while it draws.
 std::mutex& FontLock();
 
+/// `text` with U+FFFD for each byte that is no UTF-8, as in names of files: neither VTK nor Cairo
+/// draws those.
+std::string ToUtf8(const std::string& text);
+
 /// [px]
 double TextWidth(const std::string& text, const TextStyle& style);
 

@@ -66,18 +66,34 @@ struct DemoPicture {
   std::string what;
 };
 
+/// The scan that was matched farthest from where it was predicted.
+int StepMovedMost(const Recording& recording) {
+  int found = 0;
+  double most = 0.0;
+  for (int i = 0; i < recording.num_steps(); ++i) {
+    const Step& step = recording.step(i);
+    const double moved =
+        (step.local_from_base.translation - step.local_from_base_prior.translation).norm();
+    if (step.outcome == StepOutcome::kNoReturns || moved <= most) continue;
+    found = i;
+    most = moved;
+  }
+  return found;
+}
+
 void DrawAll(const Recording& recording, const std::string& folder) {
   const std::vector<DemoPicture> pictures = {
       {ViewKind::kMap, "all submaps at their optimized poses"},
       {ViewKind::kSubmap, "one probability grid and its scans"},
       {ViewKind::kUpdate, "what one scan hit and missed"},
-      {ViewKind::kMatch, "one scan before and after it was matched"},
+      {ViewKind::kMatch, "the scan that its match moved most"},
       {ViewKind::kSearch, "one loop search: where it looked, what it pruned"},
       {ViewKind::kGraph, "nodes, submaps, constraints and residuals"}};
   Painter painter(Backend::kAuto);
   for (const DemoPicture& picture : pictures) {
     ViewRequest request;
     request.view = picture.view;
+    if (picture.view == ViewKind::kMatch) request.step = StepMovedMost(recording);
     const std::string path = folder + "/" + ToString(picture.view) + ".png";
     WritePng(painter.Draw(recording, request), path);
     Tell(path, picture.what);

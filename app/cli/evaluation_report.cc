@@ -304,7 +304,8 @@ std::string EvaluationJson(const std::vector<Evaluation>& evaluations, bool with
     }
     list.push_back(std::move(entry));
   }
-  return list.dump(1) + "\n";
+  constexpr auto kReplaceNoUtf8 = nlohmann::ordered_json::error_handler_t::replace;
+  return list.dump(1, ' ', /*ensure_ascii=*/false, kReplaceNoUtf8) + "\n";  // names of files
 }
 
 }  // namespace loopscope

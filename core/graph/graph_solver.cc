@@ -240,8 +240,13 @@ std::optional<Eigen::Matrix3d> CovarianceOf(const GraphProblem& problem, int unk
 
 GraphSolution Continued(const GraphSolution& first, GraphSolution next) {
   next.num_iterations += first.num_iterations;
-  next.initial_cost = first.initial_cost;
   return next;
+}
+
+double CostOf(const GraphProblem& problem, const OptimizationProblemOptions& options) {
+  const LeastSquares least_squares(problem, options.huber_scale);
+  const GraphPoses poses(problem);
+  return least_squares.HeldCost(poses) + least_squares.Cost(poses);
 }
 
 GraphSolution SolveGraph(const GraphProblem& problem, const OptimizationProblemOptions& options,

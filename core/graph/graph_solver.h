@@ -36,8 +36,11 @@ struct SolverLimits {
   double function_tolerance = 1e-6;  ///< share of the cost that the last iteration may have gained
 };
 
-/// `next`, which began where `first` ended, as one optimization with it.
+/// `next`, which began where `first` ended, with the iterations of both.
 GraphSolution Continued(const GraphSolution& first, GraphSolution next);
+
+/// Half of eq. 4 at the poses of `problem`, as SolveGraph has it.
+double CostOf(const GraphProblem& problem, const OptimizationProblemOptions& options);
 
 /// (SPA): minimizes eq. 4 by Levenberg-Marquardt, with Huber loss on INTER_SUBMAP constraints;
 /// Konolige et al., "Efficient Sparse Pose Adjustment for 2D Mapping", IROS 2010. One thread: sums

@@ -58,6 +58,7 @@ GraphSolution SolveGraphWithoutOutliers(const GraphProblem& problem, std::size_t
   GraphSolution solution = SolveGraph(first, options, limits);
   std::vector<Constraint> solved = first.constraints;
   GraphProblem all = problem;
+  bool is_first = true;
   for (int round = 0; round < max_num_rounds; ++round) {
     all.global_from_submap = solution.global_from_submap;
     all.global_from_node = solution.global_from_node;
@@ -65,7 +66,13 @@ GraphSolution SolveGraphWithoutOutliers(const GraphProblem& problem, std::size_t
     if (HaveSamePairs(rest.constraints, solved)) break;
     solution = Continued(solution, SolveGraph(rest, options, limits));
     solved = std::move(rest.constraints);
+    is_first = false;
   }
+  if (is_first) return solution;
+  all.global_from_submap = problem.global_from_submap;
+  all.global_from_node = problem.global_from_node;
+  all.constraints = std::move(solved);
+  solution.initial_cost = CostOf(all, options);
   return solution;
 }
 

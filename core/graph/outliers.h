@@ -25,8 +25,7 @@ GraphProblem WithoutOutliers(const GraphProblem& problem, const OutlierOptions& 
 /// Non-Convexity for Robust Spatial Perception", RA-L 2020, who start from squares, where this
 /// starts from Huber's loss. Of the first `num_judged` constraints, loops that are outliers at the
 /// poses of the problem are left out from the start, and return if the others agree with them after
-/// all. `initial_cost` is that of the loops it starts with, `final_cost` that of those that are
-/// left.
+/// all. `initial_cost` and `final_cost` are of the loops that are left at the end.
 GraphSolution SolveGraphWithoutOutliers(const GraphProblem& problem, std::size_t num_judged,
                                         const OptimizationProblemOptions& options,
                                         const SolverLimits& limits, int max_num_rounds);

@@ -62,7 +62,7 @@ struct Optimization {
   std::vector<Pose2> global_from_submap;  ///< for all submaps that were there
   std::vector<Pose2> global_from_node;    ///< for all nodes that were there
   int num_iterations = 0;
-  double initial_cost = 0.0;
+  double initial_cost = 0.0;  ///< half of eq. 4 with the loops that were left at the end
   double final_cost = 0.0;
   DriftShare drift_share{};  ///< of their windows that searches take from then on
 };

@@ -9,7 +9,7 @@
 namespace loopscope {
 
 enum class ChartKind {
-  kScores,             ///< of every search, over the steps
+  kScores,             ///< of every search against its min_score, over the steps
   kScoreHistogram,     ///< of the searches, by verdict
   kResiduals,          ///< of the loops after each optimization, over the steps
   kResidualHistogram,  ///< of the loops as they are now

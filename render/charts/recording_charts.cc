@@ -60,9 +60,8 @@ const LoopResidualNow& WorstOf(const std::vector<LoopResidualNow>& residuals) {
                            [](const auto& a, const auto& b) { return a.residual < b.residual; });
 }
 
-ChartAxis StepAxis(int step) {
-  return {"step", 0.0, static_cast<double>(std::max(step, 10)), false};
-}
+/// With room for the points of the last step.
+ChartAxis StepAxis(int step) { return {"step", 0.0, 1.02 * std::max(step, 10), false}; }
 
 ChartAxis ScoreAxis() { return {"score", kMinProbability, kMaxProbability, false}; }
 
@@ -74,8 +73,13 @@ bool IsIn(const LoopCandidate& candidate, Verdict verdict, int step) {
   return candidate.verdict == verdict && candidate.applied_step <= step;
 }
 
-/// What the scores of the searches had to beat: it may differ from submap to submap.
-std::vector<ChartThreshold> MinScores(const Recording& recording, int step, bool upright) {
+bool HasPoints(const ChartData& data) {
+  return std::any_of(data.series.begin(), data.series.end(),
+                     [](const ChartSeries& series) { return !series.points.empty(); });
+}
+
+/// What the scores of the searches had to beat: it differs from submap to submap.
+std::vector<ChartThreshold> MinScores(const Recording& recording, int step) {
   double least = kMaxProbability;
   double greatest = kMinProbability;
   for (const LoopCandidate& candidate : recording.candidates()) {
@@ -84,24 +88,41 @@ std::vector<ChartThreshold> MinScores(const Recording& recording, int step, bool
     greatest = std::max(greatest, candidate.min_score);
   }
   if (least > greatest) return {};
-  if (least == greatest) return {{least, upright, fmt::format("min_score {:.3g}", least)}};
-  return {{least, upright, fmt::format("least min_score {:.2f}", least)},
-          {greatest, upright, fmt::format("greatest min_score {:.2f}", greatest)}};
+  if (least == greatest) return {{least, true, fmt::format("min_score {:.3g}", least)}};
+  return {{least, true, fmt::format("least min_score {:.2f}", least)},
+          {greatest, true, fmt::format("greatest min_score {:.2f}", greatest)}};
 }
 
+/// Whole tenths around 0 and all points.
+ChartAxis MarginAxis(const std::vector<ChartSeries>& series) {
+  double least = -0.1;
+  double greatest = 0.1;
+  for (const ChartSeries& each : series) {
+    for (const ChartPoint& point : each.points) {
+      least = std::min(least, point.y);
+      greatest = std::max(greatest, point.y);
+    }
+  }
+  return {"score - min_score", std::floor(10.0 * least) / 10.0, std::ceil(10.0 * greatest) / 10.0,
+          false};
+}
+
+/// By how much scores beat what they had to beat, each its own: what is missing to a loop is seen,
+/// and what was refused though it scored enough.
 ChartData Scores(const Recording& recording, int step) {
-  ChartData data{"Scores of loop searches", StepAxis(step), ScoreAxis(), {}, {}};
+  ChartData data{"Scores of loop searches", StepAxis(step), {}, {}, {}};
   const auto& candidates = recording.candidates();
   for (const SubjectOfVerdict& kind : kSearched) {
     ChartSeries series{kind.subject, ToString(kind.verdict), {}, false, {}};
     for (int i = 0; i < static_cast<int>(candidates.size()); ++i) {
       if (!IsIn(candidates[i], kind.verdict, step)) continue;
-      series.points.push_back(
-          {static_cast<double>(candidates[i].considered_step), candidates[i].score, i});
+      series.points.push_back({static_cast<double>(candidates[i].considered_step),
+                               candidates[i].score - candidates[i].min_score, i});
     }
     data.series.push_back(std::move(series));
   }
-  data.thresholds = MinScores(recording, step, false);
+  data.y = MarginAxis(data.series);
+  if (HasPoints(data)) data.thresholds = {{0.0, false, "min_score of the search"}};
   return data;
 }
 
@@ -141,7 +162,7 @@ ChartData ScoreHistogram(const Recording& recording, int step) {
         {kind.subject, ToString(kind.verdict), {}, false, BarsOn(edges, counts, &tops)});
   }
   data.y = CountAxis("searches", tops);
-  data.thresholds = MinScores(recording, step, true);
+  data.thresholds = MinScores(recording, step);
   return data;
 }
 

@@ -36,6 +36,10 @@ Finding FindingOf(const ChartThings& things, const ChartPoint& point) {
   if (point.candidate < 0) return finding;
   const LoopCandidate& candidate = things.candidates[point.candidate];
   finding.loop = point.candidate;
+  if (things.kind == ChartKind::kScores) {
+    finding.facts.push_back({"score", fmt::format("{:.4g}", candidate.score)});
+    finding.facts.push_back({"min_score", fmt::format("{:.4g}", candidate.min_score)});
+  }
   finding.facts.push_back({"node", ToString(candidate.node)});
   finding.facts.push_back({"submap", ToString(candidate.submap)});
   finding.facts.push_back({"verdict", ToString(candidate.verdict)});

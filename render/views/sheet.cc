@@ -22,12 +22,13 @@ Sheet::Sheet(const ViewRequest& request, int oversampling, Annotation annotation
       drafts_(layout_.panels.size()) {}
 
 Annotation Sheet::Complete(Annotation annotation, const LayerKeys& keys) const {
-  if (!request_.title.empty()) annotation.title = request_.title;
+  if (!request_.title.empty()) annotation.title = ToUtf8(request_.title);
   if (request_.plain) {
     annotation.subtitle.clear();
     annotation.facts.clear();
     return annotation;
   }
+  for (std::string& part : annotation.subtitle) part = ToUtf8(part);
   for (const auto& [kind, entry] : keys.legend) {
     if (Shows(kind)) annotation.legend.push_back(entry);
   }

@@ -40,6 +40,21 @@ TEST_F(CommandTest, RenderShowsTheStateAfterAStepOrTime) {
   EXPECT_FALSE(at_step == ReadPng(folder_.Path("other.png")));
 }
 
+TEST_F(CommandTest, NamesThatAreNoTextAreDrawnAndPrintedAllTheSame) {
+  const std::string name = "B\xfc.";  // as a file is called that Latin-1 once named
+  folder_.Write(name + "log", OfficeExcerpt(60));
+  ASSERT_EQ(Run("map " + name + "log -o " + name + "loopscope").exit_code, 0);
+  for (const std::string ending : {"png", "svg", "pdf"}) {
+    const ProgramRun run =
+        Run("render " + name + "loopscope --title " + name + " -o picture." + ending);
+    EXPECT_EQ(run.exit_code, 0);
+    EXPECT_EQ(run.err, "");
+  }
+  const ProgramRun run = Run("evaluate " + name + "loopscope --json");
+  EXPECT_EQ(run.err, "");
+  EXPECT_THAT(run.out, HasSubstr("\"B\uFFFD.loopscope\""));
+}
+
 TEST_F(CommandTest, RenderDrawsLayersAsClearAsAsked) {
   const std::string render = "render run.loopscope --size 400x300 ";
   ASSERT_EQ(Run(render + "-o full.png --layers grid:1,trajectory").exit_code, 0);

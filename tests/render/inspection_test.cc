@@ -79,9 +79,10 @@ TEST(InspectorTest, FindsTheLoopOfAPointInAChart) {
   const auto loop = std::find_if(candidates.begin(), candidates.end(), [](const auto& candidate) {
     return candidate.verdict == Verdict::kAccepted;
   });
-  const Vector place = PlaceInChart(request, loop->considered_step, loop->score);
+  const Vector place = PlaceInChart(request, loop->considered_step, loop->score - loop->min_score);
   const auto finding = InspectorFor(request).WhatIsAt(0, place, 0.0);
   ASSERT_TRUE(finding.has_value());
+  EXPECT_EQ(ValueOf(*finding, "min_score"), fmt::format("{:.4g}", loop->min_score));
   EXPECT_EQ(finding->loop, static_cast<int>(loop - candidates.begin()));
   EXPECT_EQ(finding->step, loop->considered_step);
   EXPECT_FALSE(InspectorFor(request).WhatIsAt(0, {-1.0, -1.0}, 0.0).has_value());

@@ -16,6 +16,11 @@ TEST(TextWidthTest, GrowsWithTheTextAndWithTheFont) {
   EXPECT_NEAR(TextWidth("submap", larger), 2.0 * TextWidth("submap", kStyle), 10.0);
 }
 
+TEST(ToUtf8Test, ReplacesWhatIsNone) {
+  EXPECT_EQ(ToUtf8("Bühl 0.5 µm"), "Bühl 0.5 µm");
+  EXPECT_EQ(ToUtf8("a\xff z"), "a\uFFFD z");
+}
+
 TEST(ShortenToFitTest, LeavesATextThatFits) {
   EXPECT_EQ(ShortenToFit("score", kStyle, TextWidth("score", kStyle)), "score");
 }

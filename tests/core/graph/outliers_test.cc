@@ -69,6 +69,8 @@ TEST(SolveGraphWithoutOutliers, ForgetsFalseLoops) {
                 ::testing::Not(PoseNear(expected.global_from_node[10], 0.01, 0.01)));
     EXPECT_THAT(solution.global_from_node[10], PoseNear(expected.global_from_node[10], 1e-3, 1e-3));
     EXPECT_NEAR(solution.final_cost, expected.final_cost, 0.01 * expected.final_cost);
+    EXPECT_NEAR(solution.initial_cost, expected.initial_cost, 1e-9 * expected.initial_cost)
+        << "of the same loops";
   }
 }
 

@@ -45,7 +45,11 @@ TEST_F(ChartOfTest, ScoresHaveAPointForEverySearchUntilTheStep) {
       for (const ChartPoint& point : series.points) {
         const LoopCandidate& candidate = Run().candidates()[point.candidate];
         EXPECT_EQ(point.x, candidate.considered_step);
-        EXPECT_EQ(point.y, candidate.score);
+        EXPECT_EQ(point.y, candidate.score - candidate.min_score);
+        EXPECT_LE(data.y.min, point.y);
+        EXPECT_GE(data.y.max, point.y);
+        EXPECT_LT(point.x, data.x.max);
+        EXPECT_EQ(point.y > 0.0, IsFound(candidate.verdict)) << point.candidate;
         EXPECT_EQ(candidate.verdict == Verdict::kAccepted,
                   series.subject == ChartSubject::kAccepted);
         ++count;
@@ -65,12 +69,14 @@ TEST_F(ChartOfTest, WhatScoresHadToBeatAreThresholds) {
     greatest = std::max(greatest, candidate.min_score);
   }
   ASSERT_LT(least, greatest);
+  const ChartData data = ChartOf(Run(), ChartKind::kScoreHistogram, LastStep());
+  ASSERT_EQ(data.thresholds.size(), 2u);
+  EXPECT_EQ(data.thresholds[0].value, least);
+  EXPECT_EQ(data.thresholds[1].value, greatest);
+  EXPECT_TRUE(data.thresholds[0].upright);
+  ASSERT_EQ(ChartOf(Run(), ChartKind::kScores, LastStep()).thresholds.size(), 1u);
+  EXPECT_EQ(ChartOf(Run(), ChartKind::kScores, LastStep()).thresholds[0].value, 0.0);
   for (const ChartKind kind : {ChartKind::kScores, ChartKind::kScoreHistogram}) {
-    const ChartData data = ChartOf(Run(), kind, LastStep());
-    ASSERT_EQ(data.thresholds.size(), 2u);
-    EXPECT_EQ(data.thresholds[0].value, least);
-    EXPECT_EQ(data.thresholds[1].value, greatest);
-    EXPECT_EQ(data.thresholds[0].upright, kind == ChartKind::kScoreHistogram);
     EXPECT_TRUE(ChartOf(Run(), kind, 0).thresholds.empty());
   }
 }
@@ -134,6 +140,7 @@ TEST_F(ChartOfTest, CostsAreThoseOfEachOptimizationUntilTheStep) {
     EXPECT_EQ(data.series[0].points.at(i).x, optimizations[i].step);
     EXPECT_EQ(data.series[0].points[i].y, optimizations[i].initial_cost);
     EXPECT_EQ(data.series[1].points.at(i).y, optimizations[i].final_cost);
+    EXPECT_LE(optimizations[i].final_cost, optimizations[i].initial_cost);
   }
   const int first = optimizations.front().step;
   EXPECT_EQ(ChartOf(Run(), ChartKind::kCosts, first).series[0].points.size(), 1u);
