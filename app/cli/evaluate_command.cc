@@ -16,6 +16,7 @@
 #include "app/cli/evaluation.h"
 #include "app/cli/evaluation_report.h"
 #include "app/cli/picture_arguments.h"
+#include "app/cli/run_arguments.h"
 #include "app/cli/run_errors.h"
 #include "core/io/relations_file.h"
 #include "core/io/tum_file.h"
@@ -174,6 +175,8 @@ void AddTruth(CLI::App* command, EvaluateArguments* arguments) {
       ->add_option("--max-error", arguments->max_error,
                    "Exit with 1 if the mean translational error of the relations, or the root mean "
                    "square one of the trajectory, is larger")
+      ->check(RefuseNan)
+      ->check(CLI::NonNegativeNumber)
       ->type_name("METERS");
 }
 

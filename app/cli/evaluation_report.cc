@@ -23,14 +23,6 @@ struct Figure {
 };
 using Figures = std::vector<Figure>;
 
-/// `text` as a field of CSV (RFC 4180).
-std::string CsvField(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string field = "\"";
-  for (const char c : text) field += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return field + "\"";
-}
-
 /// What evo prints of a sample of errors, in another unit.
 void AddEvoStatistics(const std::string& name, const std::string& unit, const Statistics& errors,
                       double factor, Figures* figures) {

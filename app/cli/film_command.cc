@@ -109,6 +109,7 @@ void AddFilmCommand(CLI::App* app, int* exit_code) {
       ->required()
       ->type_name("FILE");
   command->add_option("--fps", arguments->frames_per_second, "Frames per second of a video")
+      ->check(RefuseNan)
       ->check(CLI::Range(1.0, 120.0))
       ->capture_default_str()
       ->type_name("N");

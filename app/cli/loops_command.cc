@@ -16,6 +16,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/run_arguments.h"
+#include "app/cli/text_table.h"
 #include "core/graph/outliers.h"
 #include "core/io/recording_file.h"
 #include "core/slam/loop_explanation.h"
@@ -101,7 +102,7 @@ const std::vector<LedgerColumn>& LedgerColumns() {
        [](const Row& row) { return row.residual ? Value(Degrees(row.residual->z())) : Value(); }},
       {"held", "held", 5, 0,
        [](const Row& row) { return row.residual ? Value(row.is_held) : Value(); }},
-      {"reason", "", 0, 0, [](const Row& row) { return Value(ReasonOf(row.candidate->verdict)); }},
+      {"reason", "", 0, 0, [](const Row& row) { return Value(ReasonOf(*row.candidate)); }},
   };
   return columns;
 }
@@ -170,10 +171,11 @@ void PrintTable(const std::vector<Row>& rows) {
   }
 }
 
-std::string CsvField(const Value& value) {
+std::string CsvFieldOf(const Value& value) {
   return std::visit(Overloaded{[](std::monostate) { return std::string(); },
                                [](SubmapId id) { return fmt::format("{}", id.index); },
                                [](NodeId id) { return fmt::format("{}", id.index); },
+                               [](const std::string& text) { return CsvField(text); },
                                [](const auto& other) { return fmt::format("{}", other); }},
                     value);
 }
@@ -186,7 +188,7 @@ void PrintCsv(const std::vector<Row>& rows) {
   };
   print([](const LedgerColumn& column) { return column.key; });
   for (const Row& row : rows) {
-    print([&](const LedgerColumn& column) { return CsvField(column.value(row)); });
+    print([&](const LedgerColumn& column) { return CsvFieldOf(column.value(row)); });
   }
 }
 
@@ -228,7 +230,11 @@ constexpr char kColumns[] =
     "place\n"
     "far from the winner. win, [deg]: half the window, each way from where the map had the node. "
     "moved,\n"
-    "[deg]: from there to where the search found it. agree: other nodes with loops that say the "
+    "[deg]: from there to where the search found it. Below score, score and place are the best "
+    "that "
+    "was\n"
+    "seen before the rest could not win; `loopscope why` finds the best there is. agree: other "
+    "nodes with loops that say the "
     "same.\n"
     "resid, [deg]: of eq. 5, at the end. held: whether the loop still was no outlier then. JSON "
     "and "

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/run_arguments.h"
 
+#include <cmath>
 #include <stdexcept>
 
 #include <CLI/CLI.hpp>
@@ -9,6 +10,7 @@
 
 #include "core/io/file_error.h"
 #include "core/io/recording_file.h"
+#include "core/io/words.h"
 
 namespace loopscope {
 namespace {
@@ -26,6 +28,11 @@ void AddRunArgument(CLI::App* command, std::string* run) {
   command->add_option("RUN", *run, "Recording, as `loopscope map` writes it")
       ->required()
       ->type_name("");
+}
+
+std::string RefuseNan(const std::string& text) {
+  const std::optional<double> number = ParseDouble(text);
+  return number && !std::isnan(*number) ? "" : "expected a number";
 }
 
 Recording ReadRun(const std::string& path) {

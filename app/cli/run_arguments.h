@@ -17,6 +17,9 @@ namespace loopscope {
 /// Adds the positional argument RUN, a recording to read.
 void AddRunArgument(CLI::App* command, std::string* run);
 
+/// A check of an option: what is wrong with a text that is no number, or "nan"; else empty.
+std::string RefuseNan(const std::string& text);
+
 /// Reads a recording that has at least one step, so that there is something to show. Throws
 /// FileError.
 Recording ReadRun(const std::string& path);

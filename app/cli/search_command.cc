@@ -88,9 +88,10 @@ void PrintTree(const SearchTrace& trace) {
 }
 
 void PrintFound(const LoopCandidate& result) {
-  fmt::print("score     {:.4f}, needed {:.4f}; no pose has more than {:.4f}\n", result.score,
-             result.min_score, result.score_bound);
-  fmt::print("{:<10}{}\n", IsFound(result.verdict) ? "found at" : "best at",
+  fmt::print("score     {:.4f}{}, needed {:.4f}; no pose that is tried has more than {:.4f}\n",
+             result.score, IsFound(result.verdict) ? "" : ", the best seen", result.min_score,
+             result.score_bound);
+  fmt::print("{:<10}{}\n", IsFound(result.verdict) ? "found at" : "seen at",
              ToText(result.submap_from_node_searched));
 }
 
@@ -243,6 +244,7 @@ void AddSearchCommand(CLI::App* app, int* exit_code) {
   command
       ->add_option("--min-score", arguments->min_score,
                    "Search for poses of this score, instead of that of the options")
+      ->check(RefuseNan)
       ->check(CLI::Range(0.0, 1.0))
       ->type_name("S");
   CLI::Option* const output =

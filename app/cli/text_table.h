@@ -13,4 +13,7 @@ using TextRow = std::vector<std::string>;
 /// right, two spaces apart.
 std::string AlignedTable(const std::vector<TextRow>& rows);
 
+/// `text` as a field of CSV (RFC 4180).
+std::string CsvField(const std::string& text);
+
 }  // namespace loopscope

@@ -104,7 +104,7 @@ void LoopTable::SetDecision(int row, const LoopCandidate& candidate) {
   table_.Set(row, kNode, static_cast<double>(candidate.node.index));
   table_.Set(row, kSubmap, static_cast<double>(candidate.submap.index));
   table_.Set(row, kVerdict, ToString(candidate.verdict));
-  table_.Set(row, kReason, ReasonOf(candidate.verdict));
+  table_.Set(row, kReason, ReasonOf(candidate));
   table_.Set(row, kConsidered, static_cast<double>(candidate.considered_step));
   table_.Set(row, kApplied, static_cast<double>(candidate.applied_step));
 }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/graph/outliers.h"
 #include "core/io/replace_file.h"
 #include "core/slam/derive.h"
 
@@ -29,7 +30,12 @@ void ExportGraph(const Recording& recording, const MapState& state, const std::s
                    ToText(state.global_from_node[i]));
   }
   if (state.num_submaps > 0) text += "FIX 0\n";
+  const OutlierOptions& outliers = recording.options().pose_graph.optimization_problem.outliers;
   for (const Constraint& constraint : ConstraintsOf(recording, state)) {
+    if (constraint.tag == Constraint::Tag::kInterSubmap &&
+        IsOutlier(constraint, state.global_from_submap, state.global_from_node, outliers)) {
+      continue;
+    }
     const double translation = constraint.translation_weight * constraint.translation_weight;
     const double rotation = constraint.rotation_weight * constraint.rotation_weight;
     fmt::format_to(out, "EDGE_SE2 {} {} {} {} 0 0 {} 0 {}\n", constraint.submap.index,

@@ -12,6 +12,7 @@
 #include "core/graph/drift_share.h"
 #include "core/graph/last_look.h"
 #include "core/graph/loop_search.h"
+#include "core/graph/outliers.h"
 #include "core/graph/spa_cost.h"
 
 namespace loopscope {
@@ -150,14 +151,26 @@ std::optional<LoopCheck> WindowCheck(const Recording& recording, const LoopCandi
       "", true};
 }
 
+/// What a score had to beat, and where that comes from.
+std::string NeededText(const LoopCandidate& candidate, const ConstraintBuilderOptions& options) {
+  std::string text = fmt::format("more than {:.3f}", candidate.min_score);
+  if (candidate.last_look) {
+    text += fmt::format(", {} of what else is asked, in a last look, of what the submap knows",
+                        options.last_look.min_score_factor);
+  } else if (candidate.min_score > options.min_score) {
+    text += fmt::format(", {} of what its own scans score", options.min_relative_score);
+  }
+  return text;
+}
+
 /// `score` is the best in the window.
-LoopCheck ScoreCheck(const LoopCandidate& candidate, double score) {
+LoopCheck ScoreCheck(const LoopCandidate& candidate, double score,
+                     const ConstraintBuilderOptions& options) {
   return {"score",
           fmt::format("{:.3f} in a window of {:.2f} m, {:.1f} deg", score,
                       candidate.linear_search_window,
                       RadiansToDegrees(candidate.angular_search_window)),
-          fmt::format("more than {:.3f}", candidate.min_score),
-          candidate.verdict != Verdict::kBelowMinScore};
+          NeededText(candidate, options), candidate.verdict != Verdict::kBelowMinScore};
 }
 
 LoopCheck AmbiguityCheck(const LoopCandidate& candidate, const LoopAmbiguityOptions& options) {
@@ -189,16 +202,18 @@ LoopCheck WallSidesCheck(const Recording& recording, const LoopCandidate& candid
           candidate.verdict != Verdict::kFromBehind};
 }
 
+/// How far from the map a loop may be; empty if that is up to it.
+std::string MostOff(const OutlierOptions& options) {
+  if (options.max_distance <= 0.0) return "";
+  return fmt::format("at most {} m, {:.2f} deg", options.max_distance,
+                     RadiansToDegrees(options.max_angle));
+}
+
 LoopCheck ConsistencyCheck(const LoopCandidate& candidate, const PoseGraphOptions& options) {
   const bool is_consistent = candidate.verdict != Verdict::kInconsistent;
   if (candidate.last_look) {
-    const OutlierOptions& outliers = options.optimization_problem.outliers;
     return {"off the optimized map", ResidualText(ResidualAtGuess(candidate)),
-            outliers.max_distance > 0.0
-                ? fmt::format("at most {} m, {:.2f} deg", outliers.max_distance,
-                              RadiansToDegrees(outliers.max_angle))
-                : "",
-            is_consistent};
+            MostOff(options.optimization_problem.outliers), is_consistent};
   }
   return {"other nodes with loops that agree", std::to_string(candidate.num_supporters),
           fmt::format("at least {}",
@@ -213,8 +228,11 @@ std::string InconsistentAnswer(const LoopCandidate& candidate) {
 }
 
 LoopCheck ResidualCheck(const Recording& recording, const LoopCandidate& candidate) {
+  const OutlierOptions& outliers = recording.options().pose_graph.optimization_problem.outliers;
   const MapState state = StateAfterStep(recording, recording.num_steps() - 1);
-  return {"residual at the end", ResidualText(LoopResidual(state, candidate)), "", true};
+  const Eigen::Vector3d residual = LoopResidual(state, candidate);
+  return {"residual at the end", ResidualText(residual), MostOff(outliers),
+          !IsOutlier(residual, outliers)};
 }
 
 }  // namespace
@@ -248,11 +266,11 @@ LoopExplanation ExplainLoop(const Recording& recording, SubmapId submap, NodeId 
   if (const auto window = WindowCheck(recording, *candidate, gate)) list.Add(*window, "");
   if (candidate->verdict == Verdict::kBelowMinScore) {
     const LoopCandidate best = BestInWindow(recording, submap, node);
-    list.Add(ScoreCheck(*candidate, best.score),
+    list.Add(ScoreCheck(*candidate, best.score, options),
              "Not closed: nothing in the window matches well enough.");
     return list.NothingFound(best, candidate->min_score);
   }
-  list.Add(ScoreCheck(*candidate, candidate->score), "");
+  list.Add(ScoreCheck(*candidate, candidate->score, options), "");
   if (!list.Add(AmbiguityCheck(*candidate, options.ambiguity),
                 "Not closed: the scan fits at other places nearly as well.") ||
       !list.Add(BorderCheck(recording, *candidate),
@@ -263,7 +281,11 @@ LoopExplanation ExplainLoop(const Recording& recording, SubmapId submap, NodeId 
                 InconsistentAnswer(*candidate))) {
     return list.explanation();
   }
-  list.Add(ResidualCheck(recording, *candidate), "");
+  if (!list.Add(ResidualCheck(recording, *candidate),
+                fmt::format("Left out at the end: closed at scan {}, but the others contradict it.",
+                            candidate->applied_step))) {
+    return list.explanation();
+  }
   return list.Closed(fmt::format("Closed: in the graph since scan {}.", candidate->applied_step));
 }
 
@@ -299,8 +321,8 @@ std::string ToString(Verdict verdict) {
   return "";
 }
 
-std::string ReasonOf(Verdict verdict) {
-  switch (verdict) {
+std::string ReasonOf(const LoopCandidate& candidate) {
+  switch (candidate.verdict) {
     case Verdict::kTooFar:
       return "too far apart to be searched";
     case Verdict::kNotSampled:
@@ -308,11 +330,13 @@ std::string ReasonOf(Verdict verdict) {
     case Verdict::kBelowMinScore:
       return "nothing in the window matches well enough";
     case Verdict::kAmbiguous:
-      return "the scan fits at another place nearly as well";
+      return candidate.rival_score > 0.0 ? "the scan fits at another place nearly as well"
+                                         : "a place beyond the window may match better";
     case Verdict::kFromBehind:
       return "it lies on walls that the submap knows from the other side only";
     case Verdict::kInconsistent:
-      return "too few loops of other nodes say the same, or, in a last look, not the map";
+      return candidate.last_look ? "too far from where the optimized map has it"
+                                 : "too few loops of other nodes say the same";
     case Verdict::kAccepted:
       return "passed every gate";
   }

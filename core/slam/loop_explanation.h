@@ -20,7 +20,7 @@ struct LoopCheck {
 
 /// Why a pair of node and submap became a loop, or did not.
 struct LoopExplanation {
-  bool closed = false;
+  bool closed = false;            ///< and in force at the end
   std::string answer;             ///< one sentence
   std::vector<LoopCheck> checks;  ///< in the order in which they are made; none behind a failed one
   /// If the pair was not searched, or the search found nothing: the best place in its window, found
@@ -42,7 +42,7 @@ Eigen::Vector3d LoopResidual(const MapState& state, const LoopCandidate& accepte
 std::string ToString(Verdict verdict);
 
 /// Why a candidate got its verdict, in a few words without numbers.
-std::string ReasonOf(Verdict verdict);
+std::string ReasonOf(const LoopCandidate& candidate);
 
 /// How many of `candidates` have each of kRecordedVerdicts, such as "12 closed".
 std::vector<std::string> VerdictSummary(const std::vector<LoopCandidate>& candidates);

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "core/graph/outliers.h"
+#include "core/graph/spa_cost.h"
 #include "core/grid/probability.h"
 #include "core/slam/loop_explanation.h"
 #include "core/slam/state.h"
@@ -34,17 +36,20 @@ struct LoopResidualNow {
   double residual = 0.0;
 };
 
+/// Of the loops in force: those that are outliers at these poses are left out.
 std::vector<LoopResidualNow> ResidualsIn(const Recording& recording, int step,
                                          const std::vector<Pose2>& global_from_submap,
                                          const std::vector<Pose2>& global_from_node) {
+  const OutlierOptions& options = recording.options().pose_graph.optimization_problem.outliers;
   std::vector<LoopResidualNow> residuals;
   const auto& candidates = recording.candidates();
   for (int i = 0; i < static_cast<int>(candidates.size()); ++i) {
     const LoopCandidate& loop = candidates[i];
     if (loop.verdict != Verdict::kAccepted || loop.applied_step > step) continue;
-    const Pose2 expected = global_from_submap[loop.submap.index] * loop.submap_from_node;
-    const Pose2& node = global_from_node[loop.node.index];
-    residuals.push_back({i, (node.translation - expected.translation).norm()});
+    const Eigen::Vector3d residual =
+        SpaError(loop.submap_from_node, global_from_submap[loop.submap.index],
+                 global_from_node[loop.node.index]);
+    if (!IsOutlier(residual, options)) residuals.push_back({i, residual.head<2>().norm()});
   }
   return residuals;
 }
@@ -138,10 +143,10 @@ std::vector<ChartBar> BarsOn(const std::vector<double>& edges, const std::vector
   return bars;
 }
 
-/// The axis of counts up to the highest bar.
+/// The axis of counts up to a little above the highest bar.
 ChartAxis CountAxis(const std::string& title, const std::vector<double>& tops) {
   const double top = tops.empty() ? 0.0 : *std::max_element(tops.begin(), tops.end());
-  return {title, 0.0, std::max(1.0, top), false};
+  return {title, 0.0, 1.05 * std::max(1.0, top), false};
 }
 
 ChartData ScoreHistogram(const Recording& recording, int step) {
@@ -175,7 +180,7 @@ ChartAxis ResidualAxis(double largest) {
 }
 
 ChartData Residuals(const Recording& recording, int step) {
-  ChartData data{"Residuals of loops after each optimization", StepAxis(step), {}, {}, {}};
+  ChartData data{"Residuals of loops in force after each optimization", StepAxis(step), {}, {}, {}};
   ChartSeries worst{ChartSubject::kWorst, "worst", {}, true, {}};
   ChartSeries mean{ChartSubject::kMean, "mean", {}, true, {}};
   double largest = 0.0;
@@ -201,7 +206,7 @@ ChartData ResidualHistogram(const Recording& recording, int step) {
   const MapState state = StateAfterStep(recording, step);
   const auto residuals =
       ResidualsIn(recording, step, state.global_from_submap, state.global_from_node);
-  ChartData data{"Residuals of loops", {}, {}, {}, {}};
+  ChartData data{"Residuals of loops in force", {}, {}, {}, {}};
   data.x = ResidualAxis(residuals.empty() ? 0.0 : WorstOf(residuals).residual);
   const int num_bins =
       static_cast<int>(std::lround(kBinsPerDecade * std::log10(data.x.max / data.x.min)));
@@ -215,7 +220,7 @@ ChartData ResidualHistogram(const Recording& recording, int step) {
     ++counts[std::clamp(bin, 0, num_bins - 1)];
   }
   std::vector<double> tops(num_bins, 0.0);
-  data.series = {{ChartSubject::kAccepted, "closed", {}, false, BarsOn(edges, counts, &tops)}};
+  data.series = {{ChartSubject::kAccepted, "in force", {}, false, BarsOn(edges, counts, &tops)}};
   data.y = CountAxis("loops", tops);
   if (residuals.empty()) return data;
   data.thresholds = {{MeanOf(residuals), true, fmt::format("mean {:.2g} m", MeanOf(residuals))}};

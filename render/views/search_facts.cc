@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/graph/last_look.h"
 #include "core/graph/loop_consistency.h"
 #include "core/matching/search_lattice.h"
 #include "core/slam/loop_explanation.h"
@@ -40,6 +41,9 @@ std::vector<Fact> ChecksOf(const SearchReplay& search, const ConstraintBuilderOp
         {"rival score", fmt::format("{:.3f}, at most {:.3f}", result.rival_score,
                                     options.ambiguity.max_relative_score * result.score)});
   }
+  if (result.verdict == Verdict::kAmbiguous && result.rival_score == 0.0) {
+    facts.push_back({"winner", "at the window's border"});
+  }
   if (result.verdict == Verdict::kFromBehind) {
     facts.push_back({"from behind", fmt::format("{:.0f} %, at most {:.0f} %",
                                                 100.0 * WallsOf(search).ShareFromBehind(),
@@ -52,16 +56,21 @@ std::vector<Fact> ChecksOf(const SearchReplay& search, const ConstraintBuilderOp
         {"nodes that agree", fmt::format("{}, at least {}", search.candidate.num_supporters,
                                          MinNumSupporters(search.candidate, options.consistency))});
   }
+  if (search.recorded && search.candidate.last_look) {
+    facts.push_back(
+        {"off the map", LengthText(ResidualAtGuess(search.candidate).head<2>().norm())});
+  }
   return facts;
 }
 
 /// What came of the search.
 std::vector<Fact> OutcomeOf(const SearchReplay& search, const ConstraintBuilderOptions& options) {
   const LoopCandidate& result = search.result;
-  std::vector<Fact> facts{{"verdict", VerdictText(search)},
-                          {"best score", fmt::format("{:.3f}", result.score)},
-                          {"min_score", fmt::format("{:.3f}", result.min_score)},
-                          {"no pose above", fmt::format("{:.3f}", result.score_bound)}};
+  std::vector<Fact> facts{
+      {"verdict", VerdictText(search)},
+      {IsFound(result.verdict) ? "best score" : "best seen", fmt::format("{:.3f}", result.score)},
+      {"min_score", fmt::format("{:.3f}", result.min_score)},
+      {"no pose above", fmt::format("{:.3f}", result.score_bound)}};
   for (const Fact& fact : ChecksOf(search, options)) facts.push_back(fact);
   for (const Fact& fact : MovesOf(search)) facts.push_back(fact);
   return facts;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/graph/outliers.h"
 #include "core/slam/derive.h"
 #include "render/layers/labels.h"
 #include "render/layers/robot.h"
@@ -23,7 +24,7 @@ using Vector = Eigen::Vector2d;
 struct RisingGraph {
   MapState state;
   std::vector<PlacedConstraint> intra;
-  std::vector<PlacedConstraint> inter;
+  std::vector<PlacedConstraint> inter;  ///< in force
   TimeScale scale;
   double time = 0.0;  ///< of the step, since the first scan [s]
   std::vector<double> node_heights;
@@ -38,7 +39,13 @@ RisingGraph GraphAfterStep(const Recording& recording, int step) {
   graph.state = StateAfterStep(recording, step);
   const std::vector<Constraint> constraints = ConstraintsOf(recording, graph.state);
   graph.intra = PlaceConstraints(constraints, Constraint::Tag::kIntraSubmap, graph.state);
-  graph.inter = PlaceConstraints(constraints, Constraint::Tag::kInterSubmap, graph.state);
+  const OutlierOptions& outliers = recording.options().pose_graph.optimization_problem.outliers;
+  for (const PlacedConstraint& loop :
+       PlaceConstraints(constraints, Constraint::Tag::kInterSubmap, graph.state)) {
+    const bool is_outlier = IsOutlier(loop.constraint, graph.state.global_from_submap,
+                                      graph.state.global_from_node, outliers);
+    if (!is_outlier) graph.inter.push_back(loop);
+  }
   graph.scale = TimeScaleOf(recording, kHeight);
   graph.time = recording.log().scans[step].time - graph.scale.first_time;
   graph.node_heights = HeightsOfNodes(recording, graph.scale, graph.state.num_nodes);

@@ -100,6 +100,7 @@ TEST_F(CommandTest, SearchRefusesPairsThatCannotBeSearched) {
   ExpectRefused("search run.loopscope --node 50 --submap 99", "there is no submap 99");
   ExpectRefused("search run.loopscope --node 9999 --submap 0", "there is no node 9999");
   ExpectRefused("search run.loopscope --node 1 --submap 0", "expected a finished submap");
+  ExpectRefused("search run.loopscope --node 50 --submap 0 --min-score nan", "expected a number");
 }
 
 TEST_F(CommandTest, WhyAnswersWithItsExitCode) {
@@ -257,6 +258,8 @@ TEST_F(CommandTest, EvaluateRefusesWhatItCannotCompare) {
   folder_.Write("way.tum", "5 0 0 0 0 0 0 1\n6 0 0 0 0 0 0 1\n");
   ExpectRefused("evaluate way.tum", "expected --relations or --reference");
   ExpectRefused("evaluate run.loopscope --max-error 1", "expected --relations or --reference");
+  ExpectRefused("evaluate run.loopscope --max-error nan", "--max-error");
+  ExpectRefused("evaluate run.loopscope --max-error -1", "--max-error");
   ExpectRefused("mop run.loopscope", "no command 'mop': expected map, info, render,");
   ExpectRefused("evaluate run.loopscope --delta 0", "--delta 0: expected metres above 0");
   for (const std::string count : {"1.5", "1e10"}) {

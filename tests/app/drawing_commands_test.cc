@@ -137,6 +137,7 @@ TEST_F(CommandTest, FilmRefusesWhatItCannotShoot) {
   ExpectRefused(film + "--steps 0:9 -o a.mov", "a.mov: expected a name that ends in .mp4");
   ExpectRefused(film + "--steps 0:9 -o none/a.mp4", "none/a.mp4: cannot be written");
   ExpectRefused(film + "--steps 0:9 --fps 0 -o a.mp4", "--fps");
+  ExpectRefused(film + "--steps 0:9 --fps nan -o a.mp4", "--fps");
   EXPECT_FALSE(Exists("a.mp4"));
 }
 

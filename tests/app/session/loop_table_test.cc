@@ -43,7 +43,7 @@ TEST(LoopTable, HasARowForEveryCandidate) {
     EXPECT_EQ(NumberAt(table, row, "considered"), candidate.considered_step);
     EXPECT_EQ(NumberAt(table, row, "applied"), candidate.applied_step);
     EXPECT_EQ(table.Text(row, table.ColumnOf("verdict")), ToString(candidate.verdict));
-    EXPECT_EQ(table.Text(row, table.ColumnOf("reason")), ReasonOf(candidate.verdict));
+    EXPECT_EQ(table.Text(row, table.ColumnOf("reason")), ReasonOf(candidate));
   }
 }
 

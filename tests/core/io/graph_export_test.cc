@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/io/graph_export.h"
 
+#include <algorithm>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -91,6 +92,23 @@ TEST(GraphExport, HasAVertexForEachSubmapAndNodeAndAnEdgeForEachConstraint) {
     const double expected[6] = {translation, 0.0, 0.0, translation, 0.0, rotation};
     for (int j = 0; j < 6; ++j) EXPECT_NEAR(edge.information[j], expected[j], 1e-6 * expected[j]);
   }
+}
+
+TEST(GraphExport, LeavesOutLoopsThatAreOutliers) {
+  Options options = CartographerPreset();
+  options.pose_graph.optimization_problem.outliers = {1e-6, 1e-6};  // poses are random: all are
+  const SmallRun run(30);
+  Recording recording(run.log(), options);
+  for (const SlamUpdate& update : run.updates()) recording.Append(update);
+  const MapState state = StateAfterStep(recording, 29);
+  const TemporaryFolder folder;
+  ExportGraph(recording, state, folder.Path("graph.g2o"));
+  const std::vector<Constraint> constraints = ConstraintsOf(recording, state);
+  const auto num_intra = std::count_if(
+      constraints.begin(), constraints.end(),
+      [](const Constraint& constraint) { return constraint.tag == Constraint::Tag::kIntraSubmap; });
+  ASSERT_LT(num_intra, static_cast<int>(constraints.size()));
+  EXPECT_EQ(static_cast<int>(ReadGraph(folder.Path("graph.g2o")).edges.size()), num_intra);
 }
 
 }  // namespace

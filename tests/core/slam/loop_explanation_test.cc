@@ -49,6 +49,39 @@ TEST(ExplainLoop, PassesEveryCheckOfALoopThatWasClosed) {
   EXPECT_EQ(explanation.checks.back().what, "residual at the end");
 }
 
+TEST(ExplainLoop, TellsOfALoopThatWasLeftOutAtTheEnd) {
+  Options options = SmallLoopOptions();
+  options.pose_graph.optimization_problem.outliers.max_distance = 0.002;
+  const Recording recording = MapLog(SimulateSmallLoop().log, options);
+  const MapState state = StateAfterStep(recording, recording.num_steps() - 1);
+  int num_left_out = 0;
+  for (const LoopCandidate& loop : recording.candidates()) {
+    if (loop.verdict != Verdict::kAccepted) continue;
+    const LoopExplanation explanation = ExplainLoop(recording, loop.submap, loop.node);
+    const bool is_held = LoopResidual(state, loop).head<2>().norm() <= 0.002;
+    EXPECT_EQ(explanation.closed, is_held);
+    EXPECT_EQ(explanation.checks.back().what, "residual at the end");
+    EXPECT_EQ(explanation.checks.back().passed, is_held);
+    EXPECT_EQ(explanation.checks.back().expected, "at most 0.002 m, 3.00 deg");
+    if (is_held) continue;
+    EXPECT_THAT(explanation.answer, StartsWith("Left out at the end"));
+    ++num_left_out;
+  }
+  EXPECT_GT(num_left_out, 0);
+}
+
+TEST(ReasonOf, TellsWhichRuleRefusedALoop) {
+  LoopCandidate loop;
+  loop.verdict = Verdict::kAmbiguous;
+  EXPECT_THAT(ReasonOf(loop), HasSubstr("beyond the window"));
+  loop.rival_score = 0.5;
+  EXPECT_THAT(ReasonOf(loop), HasSubstr("at another place"));
+  loop.verdict = Verdict::kInconsistent;
+  EXPECT_THAT(ReasonOf(loop), HasSubstr("loops of other nodes"));
+  loop.last_look = true;
+  EXPECT_THAT(ReasonOf(loop), HasSubstr("the optimized map"));
+}
+
 TEST(ExplainLoop, TellsByHowMuchTheWindowWasNarrowed) {
   const auto num_narrowed = [](double min_window_share) {
     Options options = SmallLoopOptions();

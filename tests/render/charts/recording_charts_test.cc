@@ -121,6 +121,23 @@ TEST_F(ChartOfTest, ResidualsAreThoseOfTheLoopsAfterEachOptimization) {
   EXPECT_GE(data.y.max, largest);
 }
 
+TEST_F(ChartOfTest, ResidualsLeaveOutliersOut) {
+  Options options = SmallLoopOptions();
+  options.pose_graph.optimization_problem.outliers.max_distance = 0.002;
+  const Recording recording = MapLog(SimulateSmallLoop().log, options);
+  const int last = recording.num_steps() - 1;
+  for (const ChartSeries& series : ChartOf(recording, ChartKind::kResiduals, last).series) {
+    for (const ChartPoint& point : series.points) EXPECT_LE(point.y, 0.002);
+  }
+  const double num_held = CountOf(ChartOf(recording, ChartKind::kResidualHistogram, last));
+  const auto& candidates = recording.candidates();
+  const auto num_loops = std::count_if(candidates.begin(), candidates.end(), [](const auto& c) {
+    return c.verdict == Verdict::kAccepted;
+  });
+  EXPECT_GT(num_held, 0.0);
+  EXPECT_LT(num_held, num_loops);
+}
+
 TEST_F(ChartOfTest, TheHistogramOfResidualsCountsTheLoopsUntilTheStep) {
   for (const int step : {0, 180, LastStep()}) {
     int num_loops = 0;
