@@ -96,18 +96,18 @@ Palette ColorBlindPalette() {
   p.correlative = kPurple;
   p.refined = kBlue;
   p.window = kBlue;
-  p.winner = kVermilion;
+  p.winner = kGreen;
   p.rival = kPurple;
-  p.from_behind = kGreen;
+  p.from_behind = kVermilion;
   p.trajectory = kBlue;
   p.robot = kVermilion;
   p.axis_x = kVermilion;
   p.axis_y = kGreen;
   p.inter = kOrange;
   p.inter_residual = kSkyBlue;
-  p.intra_residual = kPurple;
+  p.intra_residual = kGreen;
   p.covariance = Rgb(0xf0e442);
-  p.outlier = kVermilion;
+  p.outlier = kPurple;
   p.selection = Rgb(0xf0e442);
   return p;
 }
@@ -149,6 +149,7 @@ Palette DarkColorBlindPalette() {
   Palette p = OnDarkPaper(ColorBlindPalette());
   p.ray = p.miss;  // the blues of light paper are lost on dark one
   p.refined = p.miss;
+  p.winner = Rgb(0x34d3a4);
   p.window = p.miss;
   p.trajectory = p.miss;
   return p;

@@ -207,7 +207,7 @@ void DrawAngles(const SearchPart& part, const BoundRange& range, Sheet* sheet) {
   const double degrees = RadiansToDegrees(window.num_angular_steps * window.angular_step);
   const double aspect = sheet->OpenChart(
       panel,
-      {fmt::format("by angle, -{0:.0f}° to {0:.0f}°", degrees), "the lowest height at the bottom"});
+      {fmt::format("by angle, -{0:.1f}° to {0:.1f}°", degrees), "the lowest height at the bottom"});
   const Palette& palette = sheet->palette();
   sheet->Add(panel, LayerKind::kTree, [&] { return AnglesLayer(part, range, aspect, palette); });
   DrawHatch(PrunedFields(part, aspect), panel, sheet);

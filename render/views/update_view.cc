@@ -93,8 +93,9 @@ LayerKeys KeysOf(const MapColors& colors, const Palette& palette) {
            {LayerKind::kRays, {{Swatch::Kind::kLine, palette.ray, colors.free}, "ray"}},
            {LayerKind::kRobot, {{Swatch::Kind::kRobot, palette.robot, colors.free}, "robot"}},
            {LayerKind::kOdds,
-            {{Swatch::Kind::kFill, palette.never_seen, colors.free}, "first seen by this scan"}}},
-          {{LayerKind::kOdds, OddsBar(palette)}}};
+            {{Swatch::Kind::kFill, palette.never_seen, colors.free}, "first seen by this scan"}},
+           {LayerKind::kGrid, UnknownEntry(colors)}},
+          {{LayerKind::kOdds, OddsBar(palette)}, {LayerKind::kGrid, OccupancyBar(colors)}}};
 }
 
 Annotation Describe(const Recording& recording, const GridUpdate& update) {
@@ -144,7 +145,11 @@ void DrawCells(const GridUpdate& update, const MapColors& colors, Sheet* sheet) 
   });
 }
 
-void DrawOdds(const GridUpdate& update, const ProbabilityGrid& grid, int panel, Sheet* sheet) {
+/// Of the cells that the scan observed, over the others as they are.
+void DrawOdds(const GridUpdate& update, const ProbabilityGrid& grid, const MapColors& colors,
+              int panel, Sheet* sheet) {
+  sheet->Add(panel, LayerKind::kGrid,
+             [&] { return CellImageLayer(GridImage(grid, colors), Pose2(), grid.resolution()); });
   sheet->Add(panel, LayerKind::kOdds, [&] {
     return CellImageLayer(OddsImage(grid, update.changed, sheet->palette()), Pose2(),
                           grid.resolution());
@@ -169,8 +174,8 @@ Scene BuildUpdateView(const Recording& recording, const ViewRequest& request, in
   sheet.Open(2, close_up, colors.unknown, {"after"});
   DrawCells(update, colors, &sheet);
   OutlineCloseUp(1, &sheet);
-  DrawOdds(update, update.before, 1, &sheet);
-  DrawOdds(update, update.after, 2, &sheet);
+  DrawOdds(update, update.before, colors, 1, &sheet);
+  DrawOdds(update, update.after, colors, 2, &sheet);
   return sheet.Finish();
 }
 
