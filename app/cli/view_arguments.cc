@@ -105,8 +105,7 @@ void AddViewArguments(CLI::App* command, ViewArguments* arguments) {
   command
       ->add_option("--chart", arguments->chart,
                    "What the view chart shows: scores, score-histogram, residuals, "
-                   "residual-histogram or costs")
-      ->capture_default_str()
+                   "residual-histogram or costs (default: scores)")
       ->type_name("NAME");
   command
       ->add_option("--azimuth", arguments->azimuth,
@@ -138,7 +137,12 @@ ViewRequest ToRequest(const ViewArguments& arguments, const Recording& recording
   }
   request.width_in_meters = arguments.width_in_meters;
   request.height_in_meters = arguments.height_in_meters;
-  request.chart = ChartKindFromName(arguments.chart);
+  if (arguments.chart) {
+    if (request.view != ViewKind::kChart) {
+      throw std::invalid_argument("--chart " + *arguments.chart + ": expected --view chart");
+    }
+    request.chart = ChartKindFromName(*arguments.chart);
+  }
   request.azimuth = arguments.azimuth;
   request.elevation = arguments.elevation;
   ApplyTo(arguments.picture, &request);

@@ -22,7 +22,7 @@ struct ViewArguments {
   std::vector<double> center;
   std::optional<double> width_in_meters;
   std::optional<double> height_in_meters;
-  std::string chart = "scores";
+  std::optional<std::string> chart;
   std::optional<double> azimuth;
   std::optional<double> elevation;
   PictureArguments picture;

@@ -71,6 +71,7 @@ TEST_F(CommandTest, RenderDrawsAPartOfASearch) {
     const ProgramRun run = Run(render + "--size 400x300 -o part.png " + part);
     EXPECT_EQ(run.exit_code, 0) << run.err;
   }
+  ExpectRefused(render + "--chart costs", "--chart costs: expected --view chart");
   ExpectRefused(render + "--visits -1", "visits -1 of the search: expected 0 to ");
   ExpectRefused(render + "--height 7", "height 7 of the search: expected 0 to 3");
   ExpectRefused(render + "--angle 200", "angle index 200 of the search: expected -");
