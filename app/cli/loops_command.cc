@@ -224,22 +224,14 @@ int RunLoops(const LoopsArguments& arguments) {
 }
 
 constexpr char kColumns[] =
-    "Columns: scan: after which the pair came up. in at: the scan after which the result entered "
-    "the\n"
-    "graph. needed: the score to beat. bound: no pose in the window scores more. rival: score of a "
-    "place\n"
-    "far from the winner. win, [deg]: half the window, each way from where the map had the node. "
-    "moved,\n"
-    "[deg]: from there to where the search found it. Below score, score and place are the best "
-    "that "
-    "was\n"
-    "seen before the rest could not win; `loopscope why` finds the best there is. agree: other "
-    "nodes with loops that say the "
-    "same.\n"
-    "resid, [deg]: of eq. 5, at the end. held: whether the loop still was no outlier then. JSON "
-    "and "
-    "CSV\n"
-    "have the reason of the verdict, too.";
+    "Columns: scan: after which the pair came up. in at: the scan after which the result\n"
+    "entered the graph. needed: the score to beat. bound: no pose in the window scores more.\n"
+    "rival: score of a place far from the winner. win, [deg]: half the window, each way from\n"
+    "where the map had the node. moved, [deg]: from there to where the search found it. Below\n"
+    "score, score and place are the best that was seen before the rest could not win;\n"
+    "`loopscope why` finds the best there is. agree: other nodes with loops that say the same.\n"
+    "resid, [deg]: of eq. 5, at the end. held: whether the loop still was no outlier then. JSON\n"
+    "and CSV have the reason of the verdict, too.";
 
 std::vector<std::string> NamesOfVerdicts() {
   std::vector<std::string> names;

@@ -74,6 +74,7 @@ TEST_F(PainterTest, DrawsLaterPropsOverEarlierOnes) {
 }
 
 TEST_F(PainterTest, FromTheSideWhatIsNearerHidesWhatIsDrawnLater) {
+  painter_.Draw(SceneWith({Rectangle(-3.0, -3.0, 3.0, 3.0, kBlue)}));  // which needs no depth
   const auto square = [](double height, const Color& color) {
     Shapes shapes;
     shapes.SetHeight(height);
