@@ -18,18 +18,25 @@ bool HaveSamePairs(const std::vector<Constraint>& a, const std::vector<Constrain
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), is_same);
 }
 
+/// Takes those that are outliers at these poses out of the first `num_judged`.
+void RemoveOutliers(std::size_t num_judged, const std::vector<Pose2>& global_from_submap,
+                    const std::vector<Pose2>& global_from_node, const OutlierOptions& options,
+                    std::vector<Constraint>* constraints) {
+  const auto is_outlier = [&](const Constraint& c) {
+    return c.tag == Constraint::Tag::kInterSubmap &&
+           IsOutlier(c, global_from_submap, global_from_node, options);
+  };
+  const auto judged_end = constraints->begin() + static_cast<std::ptrdiff_t>(num_judged);
+  constraints->erase(std::remove_if(constraints->begin(), judged_end, is_outlier), judged_end);
+}
+
 /// Of the first `num_judged` constraints only those that are no outliers at the poses of the
 /// problem, and all others.
 GraphProblem WithoutKnownOutliers(const GraphProblem& problem, std::size_t num_judged,
                                   const OutlierOptions& options) {
-  const auto is_outlier = [&](const Constraint& c) {
-    return c.tag == Constraint::Tag::kInterSubmap &&
-           IsOutlier(c, problem.global_from_submap, problem.global_from_node, options);
-  };
   GraphProblem rest = problem;
-  const auto judged_end = rest.constraints.begin() + static_cast<std::ptrdiff_t>(num_judged);
-  rest.constraints.erase(std::remove_if(rest.constraints.begin(), judged_end, is_outlier),
-                         judged_end);
+  RemoveOutliers(num_judged, problem.global_from_submap, problem.global_from_node, options,
+                 &rest.constraints);
   return rest;
 }
 
@@ -47,6 +54,14 @@ bool IsOutlier(const Constraint& loop, const std::vector<Pose2>& global_from_sub
                    options);
 }
 
+std::vector<Constraint> WithoutOutliers(std::vector<Constraint> constraints,
+                                        const std::vector<Pose2>& global_from_submap,
+                                        const std::vector<Pose2>& global_from_node,
+                                        const OutlierOptions& options) {
+  RemoveOutliers(constraints.size(), global_from_submap, global_from_node, options, &constraints);
+  return constraints;
+}
+
 GraphProblem WithoutOutliers(const GraphProblem& problem, const OutlierOptions& options) {
   return WithoutKnownOutliers(problem, problem.constraints.size(), options);
 }
@@ -58,17 +73,16 @@ GraphSolution SolveGraphWithoutOutliers(const GraphProblem& problem, std::size_t
   GraphSolution solution = SolveGraph(first, options, limits);
   std::vector<Constraint> solved = first.constraints;
   GraphProblem all = problem;
-  bool is_first = true;
-  for (int round = 0; round < max_num_rounds; ++round) {
+  int round = 0;
+  for (; round < max_num_rounds; ++round) {
     all.global_from_submap = solution.global_from_submap;
     all.global_from_node = solution.global_from_node;
     GraphProblem rest = WithoutOutliers(all, options.outliers);
     if (HaveSamePairs(rest.constraints, solved)) break;
     solution = Continued(solution, SolveGraph(rest, options, limits));
     solved = std::move(rest.constraints);
-    is_first = false;
   }
-  if (is_first) return solution;
+  if (round == 0) return solution;
   all.global_from_submap = problem.global_from_submap;
   all.global_from_node = problem.global_from_node;
   all.constraints = std::move(solved);

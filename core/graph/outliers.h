@@ -16,6 +16,12 @@ bool IsOutlier(const Eigen::Vector3d& residual, const OutlierOptions& options);
 bool IsOutlier(const Constraint& loop, const std::vector<Pose2>& global_from_submap,
                const std::vector<Pose2>& global_from_node, const OutlierOptions& options);
 
+/// The constraints without the loops that are outliers at these poses.
+std::vector<Constraint> WithoutOutliers(std::vector<Constraint> constraints,
+                                        const std::vector<Pose2>& global_from_submap,
+                                        const std::vector<Pose2>& global_from_node,
+                                        const OutlierOptions& options);
+
 /// The problem without the loops that are outliers at its poses.
 GraphProblem WithoutOutliers(const GraphProblem& problem, const OutlierOptions& options);
 

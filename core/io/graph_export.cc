@@ -31,11 +31,9 @@ void ExportGraph(const Recording& recording, const MapState& state, const std::s
   }
   if (state.num_submaps > 0) text += "FIX 0\n";
   const OutlierOptions& outliers = recording.options().pose_graph.optimization_problem.outliers;
-  for (const Constraint& constraint : ConstraintsOf(recording, state)) {
-    if (constraint.tag == Constraint::Tag::kInterSubmap &&
-        IsOutlier(constraint, state.global_from_submap, state.global_from_node, outliers)) {
-      continue;
-    }
+  for (const Constraint& constraint :
+       WithoutOutliers(ConstraintsOf(recording, state), state.global_from_submap,
+                       state.global_from_node, outliers)) {
     const double translation = constraint.translation_weight * constraint.translation_weight;
     const double rotation = constraint.rotation_weight * constraint.rotation_weight;
     fmt::format_to(out, "EDGE_SE2 {} {} {} {} 0 0 {} 0 {}\n", constraint.submap.index,

@@ -37,15 +37,11 @@ RisingGraph GraphAfterStep(const Recording& recording, int step) {
   constexpr double kHeight = 0.5;  // of the run, for the size of its map
   RisingGraph graph;
   graph.state = StateAfterStep(recording, step);
-  const std::vector<Constraint> constraints = ConstraintsOf(recording, graph.state);
+  const std::vector<Constraint> constraints = WithoutOutliers(
+      ConstraintsOf(recording, graph.state), graph.state.global_from_submap,
+      graph.state.global_from_node, recording.options().pose_graph.optimization_problem.outliers);
   graph.intra = PlaceConstraints(constraints, Constraint::Tag::kIntraSubmap, graph.state);
-  const OutlierOptions& outliers = recording.options().pose_graph.optimization_problem.outliers;
-  for (const PlacedConstraint& loop :
-       PlaceConstraints(constraints, Constraint::Tag::kInterSubmap, graph.state)) {
-    const bool is_outlier = IsOutlier(loop.constraint, graph.state.global_from_submap,
-                                      graph.state.global_from_node, outliers);
-    if (!is_outlier) graph.inter.push_back(loop);
-  }
+  graph.inter = PlaceConstraints(constraints, Constraint::Tag::kInterSubmap, graph.state);
   graph.scale = TimeScaleOf(recording, kHeight);
   graph.time = recording.log().scans[step].time - graph.scale.first_time;
   graph.node_heights = HeightsOfNodes(recording, graph.scale, graph.state.num_nodes);
